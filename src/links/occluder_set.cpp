@@ -1,0 +1,20 @@
+#include "links/occluder_set.h"
+
+namespace viewcover {
+
+OccluderSet::OccluderSet(const Scene& scene, const ClusterTree& clusters,
+                         const ViewingRegion& region)
+    : scene_(scene), clusters_(clusters) {
+  Box box = scene.bounds;
+  for (const ConvexPolygon& part : region.parts) box.extend(bounding_box(part));
+  reach_ = box.sizes().maxCoeff();
+  polygons_.reserve(clusters.size());
+  planes_.reserve(clusters.size());
+  for (std::size_t place = 0; place < clusters.size(); ++place) {
+    const ConvexPolygon& polygon = scene[clusters.surface(OccluderId(place))].polygon;
+    polygons_.push_back(&polygon);
+    planes_.emplace_back(polygon, reach_);
+  }
+}
+
+}  // namespace viewcover

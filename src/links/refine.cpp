@@ -1,0 +1,323 @@
+#include "links/refine.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "links/cull.h"
+#include "links/occluder_set.h"
+#include "links/shaft.h"
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+// Occluders kept one by one while a shaft is refined; what is beyond stays in unopened clusters,
+// so that a shaft costs the same in a large scene. Links are stored with every surface opened.
+constexpr std::size_t kOccludersPerShaft = 64;
+constexpr std::size_t kOccludersPerCluster = 32;
+
+// Pairs of finest nodes below which a subtree is refined by one thread: some milliseconds.
+constexpr double kPairsPerTask = 512;
+
+struct RegionNode : PlanarPolygon {
+  RegionAddress address;
+  double area = 0;
+};
+
+/// All nodes of the region's quadtrees.
+class RegionNodes {
+ public:
+  explicit RegionNodes(const ViewingRegion& region) : level_(region.level) {
+    nodes_.resize(region.parts.size() * offset(level_ + 1));
+    for (std::size_t p = 0; p < region.parts.size(); ++p) {
+      const PartId part(p);
+      const Plane plane(region.parts[p]);
+      for (int level = 0; level <= level_; ++level) {
+        for (std::size_t path = 0; path < std::size_t{1} << (2 * level); ++path) {
+          const RegionAddress address(part, level, path);
+          RegionNode& node = at(address);
+          node.address = address;
+          node.polygon = level == 0 ? region.parts[p] : node.polygon;
+          node.plane = plane;
+          node.area = area(node.polygon);
+          if (level == level_) continue;
+          const auto children = quarters(node.polygon);
+          for (int digit = 0; digit < 4; ++digit) {
+            at(address.child(digit)).polygon = children[static_cast<std::size_t>(digit)];
+          }
+        }
+      }
+    }
+  }
+
+  const RegionNode& operator[](RegionAddress address) const { return nodes_[index(address)]; }
+  bool is_finest(const RegionNode& node) const { return node.address.level() == level_; }
+  /// Finest regions below the node.
+  double leaves(const RegionNode& node) const {
+    return std::ldexp(1.0, 2 * (level_ - node.address.level()));
+  }
+
+ private:
+  static std::size_t offset(int level) { return ((std::size_t{1} << (2 * level)) - 1) / 3; }
+  std::size_t index(RegionAddress address) const {
+    return address.owner().value * offset(level_ + 1) + offset(address.level()) + address.path();
+  }
+  RegionNode& at(RegionAddress address) { return nodes_[index(address)]; }
+
+  int level_;
+  std::vector<RegionNode> nodes_;
+};
+
+struct ElementNode : PlanarPolygon {
+  ElementAddress address;
+  double area = 0;
+
+  std::array<ElementNode, 4> children() const {
+    auto polygons = quarters(polygon);
+    std::array<ElementNode, 4> nodes;
+    for (int digit = 0; digit < 4; ++digit) {
+      ElementNode& node = nodes[static_cast<std::size_t>(digit)];
+      node.polygon = std::move(polygons[static_cast<std::size_t>(digit)]);
+      node.plane = plane;
+      node.address = address.child(digit);
+      node.area = viewcover::area(node.polygon);
+    }
+    return nodes;
+  }
+};
+
+/// The recursion of figure 4. Every subtree writes to a LinkSet of its own; those of siblings are
+/// put together in order, so the result does not depend on who computed which.
+class Refinement {
+ public:
+  Refinement(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
+             const VisibilityBackend& backend, const RefineOptions& options,
+             RefineProgress* progress)
+      : scene_(scene),
+        clusters_(clusters),
+        occluders_(scene, clusters, region),
+        regions_(region),
+        backend_(backend),
+        options_(options),
+        progress_(progress) {
+    for (const Surface& surface : scene.surfaces) total_pairs_ += leaves(area(surface.polygon));
+    total_pairs_ *= static_cast<double>(region.region_count());
+  }
+
+  LinkSet part(PartId part) const {
+    const ShaftOccluder everything{.node = 0};
+    return visit_cluster(regions_[RegionAddress(part)], 0, {&everything, 1});
+  }
+
+ private:
+  using Candidates = std::span<const ShaftOccluder>;
+
+  /// Everything in a cluster, seen from a region that is not subdivided yet.
+  LinkSet visit_cluster(const RegionNode& region, ClusterNode index, Candidates candidates) const {
+    const ClusterTree::Node& node = clusters_.nodes()[index];
+    if (node.is_leaf()) {
+      ElementNode element;
+      const OccluderId place(node.first);
+      const SurfaceId surface = clusters_.surface(place);
+      element.polygon = scene_[surface].polygon;
+      element.plane = occluders_.plane(place);
+      element.address = ElementAddress(surface);
+      element.area = area(element.polygon);
+      return visit_element(region, element, candidates);
+    }
+    const Shaft shaft(occluders_, region, node.box);
+    ShaftOccluders kept;
+    LinkSet links;
+    if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
+      double pairs = 0;
+      for (std::uint32_t i = 0; i < node.count; ++i) {
+        pairs += leaves(area(occluders_.polygon(OccluderId(node.first + i))));
+        links.count(Verdict::kHiddenByOne);
+      }
+      report(pairs * regions_.leaves(region), 0);
+      return links;
+    }
+    const std::array<ClusterNode, 2> children = {index + 1, node.right};
+    const bool parallel = node.count * regions_.leaves(region) > kPairsPerTask;
+    return visit_all<2>(parallel,
+                        [&](std::size_t i) { return visit_cluster(region, children[i], kept); });
+  }
+
+  LinkSet visit_element(const RegionNode& region, const ElementNode& element,
+                        Candidates candidates) const {
+    const double pairs = regions_.leaves(region) * leaves(element.area);
+    LinkSet links;
+    if (pairs <= kPairsPerTask) {
+      if (progress_ != nullptr && progress_->stop) throw Interrupted();
+      refine_pair(region, element, candidates, links);
+      report(pairs, links.size());
+      return links;
+    }
+    ShaftOccluders kept;
+    Shaft shaft = make_shaft(region, element);
+    if (settle(shaft, region, element, candidates, kept, links)) {
+      report(pairs, links.size());
+      return links;
+    }
+    if (subdivides_region(region, element)) {
+      return visit_all<4>(true, [&](std::size_t i) {
+        return visit_element(regions_[region.address.child(static_cast<int>(i))], element, kept);
+      });
+    }
+    const auto children = element.children();
+    return visit_all<4>(true,
+                        [&](std::size_t i) { return visit_element(region, children[i], kept); });
+  }
+
+  /// The same for small subtrees: no tasks, one LinkSet.
+  void refine_pair(const RegionNode& region, const ElementNode& element, Candidates candidates,
+                   LinkSet& links) const {
+    ShaftOccluders kept;
+    Shaft shaft = make_shaft(region, element);
+    if (settle(shaft, region, element, candidates, kept, links)) return;
+    if (subdivides_region(region, element)) {
+      for (int digit = 0; digit < 4; ++digit) {
+        refine_pair(regions_[region.address.child(digit)], element, kept, links);
+      }
+    } else {
+      for (const ElementNode& child : element.children()) {
+        refine_pair(region, child, kept, links);
+      }
+    }
+  }
+
+  Shaft make_shaft(const RegionNode& region, const ElementNode& element) const {
+    return {occluders_, region.address, region, element.address, element, options_.one_sided};
+  }
+
+  /// The lines of figure 4 from shaft culling to the thresholds. True if the pair is done with;
+  /// otherwise `kept` holds the occluders left in its shaft.
+  bool settle(Shaft& shaft, const RegionNode& region, const ElementNode& element,
+              Candidates candidates, ShaftOccluders& kept, LinkSet& links) const {
+    if (!shaft.is_facing()) {
+      links.count(Verdict::kHiddenNotFacing);
+      return true;
+    }
+    if (cull(shaft, candidates, kOccludersPerShaft, kept)) {
+      links.count(Verdict::kHiddenByOne);
+      return true;
+    }
+    Verdict verdict = Verdict::kFullyVisible;
+    if (!kept.empty()) {
+      shaft.set_occluders(kept);
+      verdict = backend_.decide(shaft);
+      if (!is_visible(verdict)) {
+        links.count(verdict);
+        return true;
+      }
+      if (!is_finest(region, element)) return false;
+      verdict = open_all(shaft, kept, verdict);
+      if (!is_visible(verdict)) {
+        links.count(verdict);
+        return true;
+      }
+    }
+    SmallList<OccluderId, 96> list;
+    for (const ShaftOccluder& occluder : kept) {
+      list.emplace_back(clusters_.nodes()[occluder.node].first);
+    }
+    links.add({region.address, element.address, verdict}, list);
+    return true;
+  }
+
+  /// Opens the clusters among the occluders of a shaft that is about to become a link. What that
+  /// proves takes the place of `verdict`.
+  Verdict open_all(Shaft& shaft, ShaftOccluders& kept, Verdict verdict) const {
+    const bool opened = std::all_of(kept.begin(), kept.end(), [&](const ShaftOccluder& occluder) {
+      return clusters_.nodes()[occluder.node].is_leaf();
+    });
+    if (opened) return verdict;
+    const ShaftOccluders candidates = kept;
+    if (cull(shaft, candidates, kOpenAll, kept)) return Verdict::kHiddenByOne;
+    return kept.empty() ? Verdict::kFullyVisible : verdict;
+  }
+
+  bool is_finest(const RegionNode& region, const ElementNode& element) const {
+    return regions_.is_finest(region) && element.area <= options_.element_area;
+  }
+  /// The larger of the two is subdivided, unless it is at its threshold. Requires that not both
+  /// are.
+  bool subdivides_region(const RegionNode& region, const ElementNode& element) const {
+    if (regions_.is_finest(region)) return false;
+    return element.area <= options_.element_area || region.area >= element.area;
+  }
+
+  /// Finest elements below an element of this area, if quarters are of equal area.
+  double leaves(double area) const {
+    double count = 1;
+    for (; area > options_.element_area; area /= 4) count *= 4;
+    return count;
+  }
+
+  template <std::size_t N, class Visit>
+  LinkSet visit_all(bool parallel, const Visit& visit) const {
+    std::array<LinkSet, N> parts;
+    if (parallel) {
+      tbb::parallel_for(std::size_t{0}, N, [&](std::size_t i) { parts[i] = visit(i); });
+    } else {
+      for (std::size_t i = 0; i < N; ++i) parts[i] = visit(i);
+    }
+    LinkSet links;
+    for (LinkSet& part : parts) links.append(std::move(part));
+    return links;
+  }
+
+  void report(double pairs, std::size_t links) const {
+    if (progress_ == nullptr) return;
+    progress_->share_done += pairs / total_pairs_;
+    progress_->links += links;
+  }
+
+  const Scene& scene_;
+  const ClusterTree& clusters_;
+  OccluderSet occluders_;
+  RegionNodes regions_;
+  const VisibilityBackend& backend_;
+  RefineOptions options_;
+  RefineProgress* progress_;
+  double total_pairs_ = 0;
+};
+
+}  // namespace
+
+LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
+               const VisibilityBackend& backend, const RefineOptions& options,
+               RefineProgress* progress) {
+  double largest = 0;
+  for (const Surface& surface : scene.surfaces) {
+    largest = std::max(largest, area(surface.polygon));
+  }
+  if (!(options.element_area > 0) ||
+      std::ldexp(largest, -2 * kMaxSubdivisionLevel) > options.element_area) {
+    throw InputError(
+        "--element-area",
+        "the largest surface would be subdivided more than " +
+            std::to_string(kMaxSubdivisionLevel) + " times",
+        "use " + std::to_string(std::ldexp(largest, -2 * kMaxSubdivisionLevel)) + " or more");
+  }
+  const Refinement refinement(scene, clusters, region, backend, options, progress);
+  LinkSet links;
+  for (std::size_t part = 0; part < region.parts.size(); ++part) {
+    links.append(refinement.part(PartId(part)));
+  }
+  return links;
+}
+
+double default_element_area(const Scene& scene) {
+  const Point size = scene.bounds.sizes();
+  const double surface = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
+  return 0.01 * surface / 6;
+}
+
+}  // namespace viewcover

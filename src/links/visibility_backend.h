@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string_view>
+
+#include "links/verdict.h"
+
+namespace viewcover {
+
+class Shaft;
+
+/// What a backend's verdicts are worth.
+enum class Guarantee {
+  kVisibleIsCertain,  ///< visible is true; hidden may be wrong
+  kExact,             ///< every verdict is a theorem
+};
+
+/// Decides whether any sight line is left between a region and an element when several occluders
+/// are in the shaft: the one question that refinement asks (paper, figure 4).
+///
+/// Properties, checked by tests/conformance for every backend:
+///  (1) decide(s) == decide(s) whatever the thread or the order of calls
+///  (2) kHidden... from a backend whose guarantee() is kExact is a theorem
+///  (3) a visible verdict is never given for a hidden pair
+/// Thread-safety: concurrent calls on one object are allowed.
+class VisibilityBackend {
+ public:
+  virtual ~VisibilityBackend() = default;
+
+  /// What result files store: "rays" or "exact".
+  virtual std::string_view name() const = 0;
+  virtual Guarantee guarantee() const = 0;
+
+  /// Requires at least one occluder left in the shaft.
+  virtual Verdict decide(const Shaft& shaft) const = 0;
+
+ protected:
+  VisibilityBackend() = default;
+  VisibilityBackend(const VisibilityBackend&) = default;
+  VisibilityBackend& operator=(const VisibilityBackend&) = default;
+};
+
+}  // namespace viewcover
