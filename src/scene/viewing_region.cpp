@@ -1,0 +1,377 @@
+#include "scene/viewing_region.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "scene/convex_faces.h"
+#include "scene/error.h"
+#include "scene/predicates.h"
+
+namespace viewcover {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMaxRegionLevel = 10;
+
+// Regions of the deepest level need 2 further bits a level (scene/address.h); with 27-bit
+// coordinates, sign included, they have 47 of the 53 bits of a double, and differences 48. A scene
+// has 24, so a region may reach 8 times as far.
+constexpr int kReachBits = 26;
+
+// Coordinates are written by people and programs with at least four significant digits: a corner
+// that is off the plane or the line of the others by less is meant to lie on it. Relative to the
+// diameter of the polygon.
+constexpr double kWrittenPrecision = 1e-4;
+
+std::string read_text(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
+    throw InputError(name, "no such file", "give a region as .json, .obj, .off, .ply or .stl");
+  }
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw InputError(name, "is a folder", "give a region file");
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  if (!in) throw InputError(name, "cannot be read", "check its permissions");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw InputError(name, "is empty", R"(write {"polygons": [[[x, y, z], ...], ...]})");
+  }
+  return text;
+}
+
+std::size_t line_at(const std::string& text, std::size_t position) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
+  return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
+}
+
+json parse(const std::string& file, const std::string& text) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    // The byte is the 1-based number of the last one read; what() is "[id] parse error at line
+    // L, column C: reason".
+    const std::string_view what = error.what();
+    const std::size_t colon = what.find(": ");
+    throw InputError(InputError::at_line(file, line_at(text, error.byte - (error.byte > 0))),
+                     colon == std::string_view::npos ? what : what.substr(colon + 2),
+                     "write valid JSON");
+  } catch (const json::out_of_range& error) {
+    // "[id] number overflow parsing 'TOKEN'", the only such error of the parser.
+    const std::string_view what = error.what();
+    const std::size_t open = what.find('\''), close = what.rfind('\'');
+    const std::string token(what.substr(open + 1, close - open - 1));
+    throw InputError(InputError::at_line(file, line_at(text, text.find(token))),
+                     fmt::format("the number {} is not finite as a double", token),
+                     "use smaller numbers");
+  }
+}
+
+void check_keys(const json& object, const std::string& place,
+                std::initializer_list<const char*> known, const char* advice) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      throw InputError(place, fmt::format("unknown key {}", json(key).dump()), advice);
+    }
+  }
+}
+
+Point lattice_point(const json& value, const std::string& place, const Lattice& lattice) {
+  const bool is_point =
+      value.is_array() && value.size() == 3 &&
+      std::all_of(value.begin(), value.end(), [](const json& x) { return x.is_number(); });
+  if (!is_point) throw InputError(place, "is not a point", "write three numbers: [x, y, z]");
+  const Point point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+  const double reach = std::ldexp(1.0, kReachBits - lattice.exponent);
+  if (point.cwiseAbs().maxCoeff() > reach) {
+    throw InputError(place, "lies too far from the scene to be on its lattice",
+                     fmt::format("use coordinates up to {}", reach));
+  }
+  return lattice.round(point) + Point::Zero();  // no negative zeros
+}
+
+// A corner of a polygon being cleaned, with its 1-based number in the file.
+struct Corner {
+  Point point;
+  std::size_t number;
+};
+
+class PolygonCleaner {
+ public:
+  PolygonCleaner(std::string place, std::vector<Corner> corners, const Lattice& lattice)
+      : place_(std::move(place)), corners_(std::move(corners)), lattice_(lattice) {}
+
+  // The polygon, or the triangles of a fan if it is not exactly planar on the lattice.
+  std::vector<ConvexPolygon> convex_parts() {
+    Box box;
+    for (const Corner& corner : corners_) box.extend(corner.point);
+    // Rounding moves each of two points by up to sqrt(3) / 2 lattice steps.
+    tolerance_ = kWrittenPrecision * box.diagonal().norm() + std::sqrt(3.0) * lattice_.step();
+
+    remove_repeated();
+    check_has_area();
+    normal_ = area_vector(points()).normalized();
+    if (normal_.isZero(0)) refuse_crossing();  // as much area one way round as the other
+    axis_ = projection_axis(points());
+    check_planar();
+    remove_straight();
+    check_convex();
+
+    const ConvexPolygon loop = points();
+    if (is_planar(loop)) return {loop};
+    std::vector<ConvexPolygon> fan;
+    for (std::size_t i = 2; i < loop.size(); ++i) fan.push_back({loop[0], loop[i - 1], loop[i]});
+    return fan;
+  }
+
+ private:
+  const Corner& at(std::size_t i) const { return corners_[i % corners_.size()]; }
+
+  ConvexPolygon points() const {
+    ConvexPolygon loop;
+    for (const Corner& corner : corners_) loop.push_back(corner.point);
+    return loop;
+  }
+
+  // Sign of the turn at corner number i of the loop, positive for the way round of the polygon.
+  int turn_at(std::size_t i) const {
+    const std::size_t n = corners_.size();
+    const int sign = normal_[axis_] > 0 ? 1 : -1;
+    return sign * turn(at(i + n - 1).point, at(i).point, at(i + 1).point, axis_);
+  }
+
+  // Leaves one of each run of equal corners, round the loop.
+  void remove_repeated() {
+    const auto is_repeated = [](const Corner& a, const Corner& b) { return a.point == b.point; };
+    corners_.erase(std::unique(corners_.begin(), corners_.end(), is_repeated), corners_.end());
+    while (corners_.size() > 1 && is_repeated(corners_.front(), corners_.back())) {
+      corners_.pop_back();
+    }
+  }
+
+  // Removes corners on the straight way between their neighbours, and those that only rounding (of
+  // the writer or to the lattice) put to the wrong side of it.
+  void remove_straight() {
+    for (std::size_t i = 0, kept = 0; corners_.size() >= 3 && kept < corners_.size();) {
+      const std::size_t n = corners_.size();
+      i %= n;
+      if (turn_at(i) <= 0 && distance_to_chord(i) <= tolerance_) {
+        corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(i));
+        kept = 0;  // the turns of the neighbours have changed
+      } else {
+        ++i;
+        ++kept;
+      }
+    }
+  }
+
+  double distance_to_chord(std::size_t i) const {
+    const Point &from = at(i + corners_.size() - 1).point, &to = at(i + 1).point;
+    const Point chord = to - from, offset = at(i).point - from;
+    const double length = chord.squaredNorm();
+    const double t = length == 0 ? 0 : std::clamp(offset.dot(chord) / length, 0.0, 1.0);
+    return (offset - t * chord).norm();
+  }
+
+  // Exact: some three corners turn in some projection.
+  void check_has_area() const {
+    for (std::size_t i = 2; i < corners_.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (turn(at(0).point, at(1).point, at(i).point, axis) != 0) return;
+      }
+    }
+    throw InputError(place_, "has no area",
+                     fmt::format("give three or more corners that are not on a line and farther "
+                                 "apart than the lattice step {:.3g}",
+                                 lattice_.step()));
+  }
+
+  void check_planar() const {
+    double worst = 0;
+    std::size_t number = 0;
+    const Point middle = corner_mean(points());
+    for (const Corner& corner : corners_) {
+      const double distance = std::fabs((corner.point - middle).dot(normal_));
+      if (distance > worst) {
+        worst = distance;
+        number = corner.number;
+      }
+    }
+    if (worst > tolerance_) {
+      throw InputError(place_,
+                       fmt::format("is not planar: corner {} lies {:.3g} off", number, worst),
+                       "move it into the plane, or split the polygon into triangles");
+    }
+  }
+
+  void check_convex() const {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (turn_at(i) <= 0) {
+        throw InputError(place_, fmt::format("is not convex at corner {}", at(i).number),
+                         kSplitAdvice);
+      }
+    }
+    if (!is_strictly_convex(points())) refuse_crossing();
+  }
+
+  [[noreturn]] void refuse_crossing() const {
+    throw InputError(place_, "crosses itself", kSplitAdvice);
+  }
+
+  static constexpr const char* kSplitAdvice = "split the polygon into convex ones";
+
+  std::string place_;
+  std::vector<Corner> corners_;
+  Lattice lattice_;
+  double tolerance_ = 0;  // scene units
+  Point normal_;
+  int axis_ = 0;
+};
+
+std::vector<ConvexPolygon> read_polygon(const json& value, const std::string& place,
+                                        const Lattice& lattice) {
+  if (!value.is_array()) {
+    throw InputError(place, "is not a list of corners", "write [[x, y, z], ...]");
+  }
+  std::vector<Corner> corners;
+  for (const json& corner : value) {
+    const std::size_t number = corners.size() + 1;
+    corners.push_back(
+        {lattice_point(corner, fmt::format("{}: corner {}", place, number), lattice), number});
+  }
+  if (corners.size() < 3) {
+    throw InputError(place,
+                     fmt::format("has {} corner{}", corners.size(), corners.size() == 1 ? "" : "s"),
+                     "give three or more");
+  }
+  return PolygonCleaner(place, std::move(corners), lattice).convex_parts();
+}
+
+Box read_box(const json& value, const std::string& place, const Lattice& lattice) {
+  constexpr const char* kAdvice = R"(write {"min": [x, y, z], "max": [x, y, z]})";
+  if (!value.is_object()) throw InputError(place, "is not a box", kAdvice);
+  check_keys(value, place, {"min", "max"}, kAdvice);
+  for (const char* key : {"min", "max"}) {
+    if (!value.contains(key)) throw InputError(place, fmt::format("has no \"{}\"", key), kAdvice);
+  }
+  const Box box(lattice_point(value["min"], place + ": min", lattice),
+                lattice_point(value["max"], place + ": max", lattice));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min()[axis] >= box.max()[axis]) {
+      throw InputError(place, fmt::format("min is not below max in {}", "xyz"[axis]),
+                       fmt::format("leave at least the lattice step {:.3g}", lattice.step()));
+    }
+  }
+  return box;
+}
+
+// The faces across x, y and z, each at min and max, with the front outward.
+std::array<ConvexPolygon, 6> box_faces(const Box& box) {
+  std::array<ConvexPolygon, 6> faces;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    ConvexPolygon low(4, box.min());
+    low[1][v] = low[2][v] = box.max()[v];
+    low[2][u] = low[3][u] = box.max()[u];
+    ConvexPolygon high(low.rbegin(), low.rend());
+    for (Point& corner : high) corner[axis] = box.max()[axis];
+    faces[static_cast<std::size_t>(2 * axis)] = std::move(low);
+    faces[static_cast<std::size_t>(2 * axis + 1)] = std::move(high);
+  }
+  return faces;
+}
+
+using CornerSet = std::set<std::array<double, 3>>;
+
+CornerSet corner_set(const ConvexPolygon& polygon) {
+  CornerSet corners;
+  for (const Point& p : polygon) corners.insert({p.x(), p.y(), p.z()});
+  return corners;
+}
+
+std::vector<ConvexPolygon> read_json_region(const std::filesystem::path& file,
+                                            const Lattice& lattice) {
+  constexpr const char* kAdvice = R"(use "polygons" or "boxes")";
+  const std::string name = file.string();
+  const json root = parse(name, read_text(file));
+  if (!root.is_object()) {
+    throw InputError(name, "is not a JSON object", R"(write {"polygons": [...], "boxes": [...]})");
+  }
+  check_keys(root, name, {"polygons", "boxes"}, kAdvice);
+  for (const auto& [key, value] : root.items()) {
+    if (!value.is_array()) {
+      throw InputError(name, fmt::format("\"{}\" is not a list", key), "write [...]");
+    }
+  }
+  const json polygons = root.value("polygons", json::array());
+  const json boxes = root.value("boxes", json::array());
+  if (polygons.empty() && boxes.empty()) {
+    throw InputError(name, "has no polygon and no box", kAdvice);
+  }
+
+  std::vector<ConvexPolygon> parts;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    for (ConvexPolygon& part :
+         read_polygon(polygons[i], fmt::format("{}: polygon {}", name, i + 1), lattice)) {
+      parts.push_back(std::move(part));
+    }
+  }
+  std::set<CornerSet> seen;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (ConvexPolygon& face :
+         box_faces(read_box(boxes[i], fmt::format("{}: box {}", name, i + 1), lattice))) {
+      if (seen.insert(corner_set(face)).second) parts.push_back(std::move(face));
+    }
+  }
+  return parts;
+}
+
+bool is_mesh_file(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return suffix == ".obj" || suffix == ".off" || suffix == ".ply" || suffix == ".stl";
+}
+
+int region_level(std::size_t regions_per_part) {
+  std::size_t power = 1;
+  for (int level = 0; level <= kMaxRegionLevel; ++level, power *= 4) {
+    if (regions_per_part == power) return level;
+    if (regions_per_part < power) {
+      throw InputError(
+          "--regions", fmt::format("{} is not a power of 4", regions_per_part),
+          level == 0 ? "use 1 or more" : fmt::format("use {} or {}", power / 4, power));
+    }
+  }
+  throw InputError("--regions", fmt::format("{} is too many", regions_per_part),
+                   fmt::format("use at most {}", power / 4));
+}
+
+}  // namespace
+
+ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
+                                  std::size_t regions_per_part) {
+  ViewingRegion region;
+  region.level = region_level(regions_per_part);
+  region.parts =
+      is_mesh_file(file) ? load_convex_polygons(file, lattice) : read_json_region(file, lattice);
+  const std::size_t limit = RegionAddress::kOwnerLimit;
+  if (region.parts.size() >= limit) {
+    throw InputError(file.string(), fmt::format("has {} parts", region.parts.size()),
+                     fmt::format("use fewer than {}", limit));
+  }
+  return region;
+}
+
+}  // namespace viewcover
