@@ -70,15 +70,29 @@ class RoundedSegment {
   double error_;
 };
 
-bool is_blocked_by(const RoundedSegment& segment, const OccluderSet& occluders, ClusterNode index) {
+bool is_blocked_by(const RoundedSegment& segment, const OccluderSet& occluders, OccluderId id) {
+  return !segment.misses(occluders.polygon(id), occluders.plane(id));
+}
+
+/// Is the segment blocked by a surface of the cluster? A cluster that was not opened also holds
+/// surfaces outside the shaft, such as the element itself: those count for nothing.
+bool is_blocked_within(const RoundedSegment& segment, const Shaft& shaft, ClusterNode index) {
+  const OccluderSet& occluders = shaft.occluder_set();
   const ClusterTree::Node& node = occluders.clusters().nodes()[index];
   if (node.is_leaf()) {
-    const OccluderId id(node.first);
-    return !segment.misses(occluders.polygon(id), occluders.plane(id));
+    ShaftOccluder occluder{.node = index};
+    return is_blocked_by(segment, occluders, OccluderId(node.first)) &&
+           shaft.meets(occluder) != Shaft::Meets::kNo;
   }
-  if (segment.misses(node.box)) return false;
-  return is_blocked_by(segment, occluders, index + 1) ||
-         is_blocked_by(segment, occluders, node.right);
+  return !segment.misses(node.box) && (is_blocked_within(segment, shaft, index + 1) ||
+                                       is_blocked_within(segment, shaft, node.right));
+}
+
+bool is_blocked_by(const RoundedSegment& segment, const Shaft& shaft,
+                   const ShaftOccluder& occluder) {
+  const ClusterTree::Node& node = shaft.occluder_set().clusters().nodes()[occluder.node];
+  if (node.is_leaf()) return is_blocked_by(segment, shaft.occluder_set(), OccluderId(node.first));
+  return is_blocked_within(segment, shaft, occluder.node);
 }
 
 /// A bound on the rounding of sampled points (16 u times the largest coordinate), and on what
@@ -104,10 +118,10 @@ Verdict RayBackend::decide(const Shaft& shaft) const {
     const Point from = region.point(u, v);
     if (shaft.one_sided() && shaft.element().plane.side_within(from, error) <= 0) continue;
     const RoundedSegment segment(from, element.point(s, t), error);
-    if (is_blocked_by(segment, shaft.occluder_set(), occluders[last_blocker].node)) continue;
+    if (is_blocked_by(segment, shaft, occluders[last_blocker])) continue;
     const auto blocker =
         std::find_if(occluders.begin(), occluders.end(), [&](const ShaftOccluder& occluder) {
-          return is_blocked_by(segment, shaft.occluder_set(), occluder.node);
+          return is_blocked_by(segment, shaft, occluder);
         });
     if (blocker == occluders.end()) return Verdict::kVisibleWitness;
     last_blocker = static_cast<std::size_t>(blocker - occluders.begin());

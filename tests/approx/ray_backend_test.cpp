@@ -186,8 +186,13 @@ TEST(RayBackend, LooksIntoClustersThatWereNotOpened) {
   std::mt19937_64 random(21);
   int visible = 0, hidden = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const ShaftCase c(horizontal(0.25, 0.25, 0.5, 0.5, 0), horizontal(0.5, 0.5, 0.75, 0.625, 1),
-                      testing::random_triangles(150, 0.25, 0.1, 0.9, random));
+    const ConvexPolygon from = horizontal(0.25, 0.25, 0.5, 0.5, 0);
+    const ConvexPolygon to = horizontal(0.5, 0.5, 0.75, 0.625, 1);
+    // A cluster may hold the element itself, and what lies in its plane or in the region's.
+    auto between = testing::random_triangles(150, 0.25, 0.1, 0.9, random);
+    between.insert(between.end(), {to, horizontal(0.25, 0.25, 0.625, 0.75, 1),
+                                   horizontal(0.375, 0.375, 0.75, 0.75, 0)});
+    const ShaftCase c(from, to, between);
     Shaft shaft = c.shaft();
     const ShaftOccluder everything{.node = 0};
     ShaftOccluders kept;
