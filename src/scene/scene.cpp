@@ -1,0 +1,109 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "scene/convex_faces.h"
+#include "scene/error.h"
+#include "scene/polygon_soup.h"
+#include "scene/surface_mesh.h"
+
+namespace viewcover {
+namespace {
+
+// Determinants multiply three coordinates: between these limits neither they nor the smallest
+// products of lattice steps (2^-23 of the extent) leave the range of double.
+constexpr double kLargestExtent = 0x1p100;
+constexpr double kSmallestExtent = 0x1p-100;
+
+// Coarser than this, the whole scene would be a few lattice steps.
+constexpr int kFewestBits = 4;
+
+Lattice choose_lattice(const PolygonSoup& soup, std::optional<int> exponent) {
+  const double extent = largest_coordinate(soup);
+  if (extent > kLargestExtent) {
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+      if (soup.vertices[i].cwiseAbs().maxCoeff() > kLargestExtent) {
+        throw InputError(soup.place_of_vertex(i), "a coordinate is too large",
+                         fmt::format("the magnitude is at most {}", kLargestExtent));
+      }
+    }
+  }
+  if (extent != 0 && extent < kSmallestExtent) {
+    throw InputError(soup.file, "all coordinates are too small",
+                     fmt::format("the largest magnitude is at least {}", kSmallestExtent));
+  }
+  // Rounding may carry the largest coordinate up to a power of two that needs one bit more.
+  Lattice finest = Lattice::for_extent(extent);
+  finest = Lattice::for_extent(finest.round(extent));
+  if (!exponent) return finest;
+  const int coarsest = finest.exponent - 23 + kFewestBits;
+  if (*exponent > finest.exponent || *exponent < coarsest) {
+    throw InputError(
+        "--lattice", fmt::format("2^-{} does not suit the scene", *exponent),
+        fmt::format("for coordinates up to {} from {} to {}", extent, coarsest, finest.exponent));
+  }
+  return {*exponent};
+}
+
+std::string counted(std::size_t count, const char* noun, const char* participle) {
+  return fmt::format("{} {}{} {}", count, noun, count == 1 ? "" : "s", participle);
+}
+
+}  // namespace
+
+std::string Repairs::summary() const {
+  const std::pair<std::size_t, std::string> items[] = {
+      {degenerate_faces, counted(degenerate_faces, "degenerate face", "dropped")},
+      {duplicate_faces, counted(duplicate_faces, "duplicate face", "dropped")},
+      {split_faces, counted(split_faces, "face", "split into convex parts")},
+      {triangulated_faces, counted(triangulated_faces, "face", "triangulated")},
+      {merged_surfaces, counted(merged_surfaces, "surface", "merged into a neighbour")},
+  };
+  std::string line;
+  for (const auto& [count, text] : items) {
+    if (count == 0) continue;
+    if (!line.empty()) line += ", ";
+    line += text;
+  }
+  return line.empty() ? "nothing" : line;
+}
+
+double Scene::area() const {
+  double sum = 0;
+  for (const Surface& surface : surfaces) sum += viewcover::area(surface.polygon);
+  return sum;
+}
+
+Scene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
+  PolygonSoup soup = read_polygon_soup(file);
+  Scene scene;
+  scene.name = file.stem().string();
+  scene.lattice = choose_lattice(soup, options.lattice_exponent);
+  scene.faces = soup.faces.size();
+  ConvexFaces faces = make_convex(soup, scene.lattice, options.one_sided);
+  if (faces.polygons.empty()) {
+    throw InputError(soup.file, fmt::format("none of the {} faces has area", soup.faces.size()),
+                     "");
+  }
+  scene.repairs = faces.repairs;
+  scene.groups = std::move(soup.groups);
+  scene.surfaces.reserve(faces.polygons.size());
+  for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
+    const std::uint32_t source = faces.sources[i];
+    scene.surfaces.push_back({std::move(faces.polygons[i]), soup.face_groups[source], source});
+  }
+  if (options.merge_coplanar) scene.repairs.merged_surfaces = merge_coplanar(scene.surfaces);
+  if (scene.surfaces.size() > ElementAddress::kOwnerLimit) {
+    throw InputError(soup.file, fmt::format("{} convex surfaces", scene.surfaces.size()),
+                     fmt::format("at most {} can be numbered", ElementAddress::kOwnerLimit));
+  }
+  for (const Surface& surface : scene.surfaces) {
+    scene.bounds.extend(bounding_box(surface.polygon));
+  }
+  return scene;
+}
+
+}  // namespace viewcover
