@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "approx/sampling.h"
 
@@ -36,7 +37,7 @@ class RoundedSegment {
     return false;
   }
 
-  bool misses(const ConvexPolygon& polygon, const Plane& plane) const {
+  bool misses(std::span<const Point> polygon, const Plane& plane) const {
     const int side_from = plane.side_within(from_, error_);
     const int side_to = plane.side_within(to_, error_);
     if (side_from * side_to > 0) return true;
@@ -60,7 +61,7 @@ class RoundedSegment {
   /// 6 error_ in the 1-norm, so the determinant by 18 error_ size^2; evaluating it adds at most
   /// 10 u size^3, where error_ is at least 16 u times the largest coordinate and size at most six
   /// times that.
-  double determinant_error(const ConvexPolygon& polygon) const {
+  double determinant_error(std::span<const Point> polygon) const {
     double size = direction_.lpNorm<1>();
     for (const Point& corner : polygon) size = std::max(size, (corner - from_).lpNorm<1>());
     return 24 * error_ * size * size;

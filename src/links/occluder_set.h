@@ -24,13 +24,18 @@ class OccluderSet {
   /// No two coordinates of scene and region differ by more.
   double reach() const { return reach_; }
 
-  const ConvexPolygon& polygon(OccluderId id) const { return *polygons_[id.value]; }
+  std::span<const Point> polygon(OccluderId id) const {
+    return {corners_.data() + first_corner_[id.value],
+            first_corner_[id.value + 1] - first_corner_[id.value]};
+  }
   const Plane& plane(OccluderId id) const { return planes_[id.value]; }
 
  private:
   const Scene& scene_;
   const ClusterTree& clusters_;
-  std::vector<const ConvexPolygon*> polygons_;
+  // Copied in leaf order: neighbours in a shaft are neighbours in memory.
+  std::vector<Point> corners_;
+  std::vector<std::uint32_t> first_corner_{0};
   std::vector<Plane> planes_;
   double reach_ = 0;
 };

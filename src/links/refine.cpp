@@ -19,8 +19,8 @@ namespace {
 
 // Occluders kept one by one while a shaft is refined; what is beyond stays in unopened clusters,
 // so that a shaft costs the same in a large scene. Links are stored with every surface opened.
-constexpr std::size_t kOccludersPerShaft = 64;
-constexpr std::size_t kOccludersPerCluster = 32;
+constexpr std::size_t kOccludersPerShaft = 32;
+constexpr std::size_t kOccludersPerCluster = 16;
 
 // Pairs of finest nodes below which a subtree is refined by one thread: some milliseconds.
 constexpr double kPairsPerTask = 512;
@@ -233,13 +233,21 @@ class Refinement {
 
   /// Opens the clusters among the occluders of a shaft that is about to become a link. What that
   /// proves takes the place of `verdict`.
-  Verdict open_all(Shaft& shaft, ShaftOccluders& kept, Verdict verdict) const {
-    const bool opened = std::all_of(kept.begin(), kept.end(), [&](const ShaftOccluder& occluder) {
+  Verdict open_all(const Shaft& shaft, ShaftOccluders& kept, Verdict verdict) const {
+    const auto is_surface = [&](const ShaftOccluder& occluder) {
       return clusters_.nodes()[occluder.node].is_leaf();
-    });
-    if (opened) return verdict;
-    const ShaftOccluders candidates = kept;
-    if (cull(shaft, candidates, kOpenAll, kept)) return Verdict::kHiddenByOne;
+    };
+    if (std::all_of(kept.begin(), kept.end(), is_surface)) return verdict;
+    ShaftOccluders surfaces, opened;
+    for (const ShaftOccluder& occluder : kept) {
+      if (is_surface(occluder)) {
+        surfaces.push_back(occluder);
+      } else {
+        if (cull(shaft, {&occluder, 1}, kOpenAll, opened)) return Verdict::kHiddenByOne;
+        surfaces.insert(surfaces.end(), opened.begin(), opened.end());
+      }
+    }
+    kept = std::move(surfaces);
     return kept.empty() ? Verdict::kFullyVisible : verdict;
   }
 

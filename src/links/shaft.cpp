@@ -82,7 +82,7 @@ bool Shaft::box_overlaps(const Box& box) const {
 
 Shaft::Meets Shaft::meets(ShaftOccluder& occluder) const {
   const OccluderId id(occluders_->clusters().nodes()[occluder.node].first);
-  const ConvexPolygon& polygon = occluders_->polygon(id);
+  const std::span<const Point> polygon = occluders_->polygon(id);
   for (const Plane& plane : planes_) {
     if (std::none_of(polygon.begin(), polygon.end(),
                      [&](const Point& corner) { return plane.side(corner) < 0; })) {
@@ -105,7 +105,7 @@ Shaft::Meets Shaft::meets(ShaftOccluder& occluder) const {
   return blocks ? Meets::kBlocksAll : Meets::kMaybe;
 }
 
-bool Shaft::blocks_all(const ConvexPolygon& occluder, bool region_in_front) const {
+bool Shaft::blocks_all(std::span<const Point> occluder, bool region_in_front) const {
   // Region and far points are on different sides of the occluder's plane, so every sight line
   // crosses it; it crosses within the occluder iff all lines between corners pass every edge on
   // the inner side (or meet it): such lines are closed under combination with positive weights.

@@ -74,7 +74,7 @@ class Shaft {
 
   /// Adds the planes through `base` or an edge of it that have the whole shaft behind them.
   Sides add_support_planes(const PlanarPolygon& base, std::span<const Point> far);
-  bool blocks_all(const ConvexPolygon& occluder, bool region_in_front) const;
+  bool blocks_all(std::span<const Point> occluder, bool region_in_front) const;
 
   const OccluderSet* occluders_;
   const PlanarPolygon* region_ = nullptr;

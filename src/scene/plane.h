@@ -79,13 +79,15 @@ class Plane {
 
   /// True only if the whole box lies on the closed front side. May miss boxes that nearly touch.
   bool has_in_front(const Box& box) const {
-    double value = 0, unsure = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double low = box.min()[i] - a_[i], high = box.max()[i] - a_[i];
-      value += normal_[i] * (normal_[i] > 0 ? low : high);
-      unsure += slack_[i] * std::max(std::fabs(low), std::fabs(high));
-    }
-    return value >= unsure;
+    // The corner farthest back.
+    const double x = (normal_.x() > 0 ? box.min().x() : box.max().x()) - a_.x();
+    const double y = (normal_.y() > 0 ? box.min().y() : box.max().y()) - a_.y();
+    const double z = (normal_.z() > 0 ? box.min().z() : box.max().z()) - a_.z();
+    const double value = normal_.x() * x + normal_.y() * y + normal_.z() * z;
+    if (value < 0) return false;
+    if (value >= enough_) return true;
+    const Point from = (box.min() - a_).cwiseAbs(), to = (box.max() - a_).cwiseAbs();
+    return value >= slack_.dot(from.cwiseMax(to));
   }
 
  private:
@@ -95,11 +97,13 @@ class Plane {
   // |d_i|. The slack itself and the sum over it are rounded down by at most a factor (1 - 5u).
   static constexpr double kBound = 6 * std::numeric_limits<double>::epsilon() / 2;
 
-  Point a_ = Point::Zero(), b_ = Point::Zero(), c_ = Point::Zero();
+  // What most calls read comes first.
+  Point a_ = Point::Zero();
   Point normal_ = Point::Zero();
-  Point slack_ = Point::Zero();  // allowance for rounding, by component of the difference
-  double size_ = 0;              // sum of the components' magnitudes of the normal
   double enough_ = 0;            // more than the allowance within reach
+  double size_ = 0;              // sum of the components' magnitudes of the normal
+  Point slack_ = Point::Zero();  // allowance for rounding, by component of the difference
+  Point b_ = Point::Zero(), c_ = Point::Zero();
 };
 
 }  // namespace viewcover

@@ -38,9 +38,10 @@ enum class RoomDetail { kSimple, kComplex };
 /// eye height. Every group is one piece of furniture or one wall.
 GeneratedScene living_room(RoomDetail detail);
 
-/// `triangles` random triangles in the unit cube above a square region of the floor z = 0;
-/// their size shrinks so that the expected number of crossings of a line stays as it is.
-/// Same seed, same bytes on every platform.
+/// `triangles` random triangles in the unit cube, above and below a square region at half height.
+/// Their size shrinks like the distance between neighbours, n^(-1/3): near by, all soups look
+/// alike; a line across the cube meets about 0.3 n^(1/3) of them. Same seed, same bytes on every
+/// platform.
 GeneratedScene triangle_soup(std::size_t triangles, std::uint64_t seed);
 
 /// A scene with an answer known in closed form, and the argument for it.

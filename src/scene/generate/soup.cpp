@@ -18,10 +18,11 @@ using Vector = std::array<double, 3>;
 
 constexpr Lattice kLattice{20};
 constexpr std::size_t kMostTriangles = 100'000'000;  // still some 200 lattice steps across
-constexpr double kLowest = 0.1;                      // nothing below: the region lies at z = 0
-constexpr double kCrossings = 3;  // of a vertical line through the cube, expected
-constexpr double kLargestRadius = 0.25;
-constexpr double kLeastSquare = 0.01;  // shorter vectors are drawn anew: they lose digits
+constexpr double kRegionHeight = 0.5;
+constexpr double kFree = 0.05;                 // nothing nearer to the region's plane
+constexpr double kRadiusTimesCubeRoot = 0.68;  // 3 crossings of a line through 1,000 triangles
+constexpr double kLargestRadius = 0.2;         // leaves room above and below the region
+constexpr double kLeastSquare = 0.01;          // shorter vectors are drawn anew: they lose digits
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -53,6 +54,16 @@ Vector perpendicular(RandomNumbers& random, const Vector& n) {
   }
 }
 
+// By Newton's method from above: std::cbrt may differ between platforms. Requires x >= 1.
+double cube_root(double x) {
+  double root = x;
+  for (double last = root + 1; root < last;) {
+    last = root;
+    root = (2 * root + x / (root * root)) / 3;
+  }
+  return root;
+}
+
 }  // namespace
 
 GeneratedScene triangle_soup(std::size_t triangles, std::uint64_t seed) {
@@ -60,16 +71,16 @@ GeneratedScene triangle_soup(std::size_t triangles, std::uint64_t seed) {
     throw InputError("--triangles", fmt::format("{} is out of range", triangles),
                      fmt::format("a number from 1 to {}", kMostTriangles));
   }
-  // A triangle of area A in random direction has the mean shadow A/2 on a unit square, so n of
-  // them are crossed n A / 2 times; A = 3 sqrt(3) / 4 r^2 for the radius r of the circle round it.
-  const double n = static_cast<double>(triangles);
   const double radius =
-      std::min(kLargestRadius, std::sqrt(2 * kCrossings / n / (0.75 * std::numbers::sqrt3)));
+      std::min(kLargestRadius, kRadiusTimesCubeRoot / cube_root(static_cast<double>(triangles)));
 
   GeneratedScene scene;
   scene.title = fmt::format("viewcover soup of {} triangles, seed {}", triangles, seed);
   scene.groups = {"soup"};
-  scene.region = {{{0.25, 0.25, 0}, {0.75, 0.25, 0}, {0.75, 0.75, 0}, {0.25, 0.75, 0}}};
+  scene.region = {{{0.375, 0.375, kRegionHeight},
+                   {0.625, 0.375, kRegionHeight},
+                   {0.625, 0.625, kRegionHeight},
+                   {0.375, 0.625, kRegionHeight}}};
   scene.vertices.reserve(3 * triangles);
   scene.faces.reserve(triangles);
 
@@ -77,8 +88,10 @@ GeneratedScene triangle_soup(std::size_t triangles, std::uint64_t seed) {
   // One lattice step more than the radius keeps rounded corners inside too.
   const double margin = radius + kLattice.step();
   for (std::size_t triangle = 0; triangle < triangles; ++triangle) {
-    const Vector centre = {random.between(margin, 1 - margin), random.between(margin, 1 - margin),
-                           random.between(kLowest + margin, 1 - margin)};
+    Vector centre = {random.between(margin, 1 - margin), random.between(margin, 1 - margin),
+                     random.between(margin, 1 - 2 * kFree - 3 * margin)};
+    // Above the region, that much is skipped.
+    if (centre[2] > kRegionHeight - kFree - margin) centre[2] += 2 * (kFree + margin);
     const Vector normal = direction(random);
     const Vector u = perpendicular(random, normal);
     const Vector w = {normal[1] * u[2] - normal[2] * u[1], normal[2] * u[0] - normal[0] * u[2],
