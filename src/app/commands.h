@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace viewcover {
+
+/// The options that every command has.
+struct CommonOptions {
+  std::string threads;  ///< empty: all cores
+  std::string seed = "1";
+  bool quiet = false;
+};
+
+/// Adds `--threads`, `--seed` and `--quiet` to a command.
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+// Each adds one command with its options to `app`; once parsed, the command runs and leaves its
+// exit code in `exit_code`. Errors while it runs: InputError, Interrupted.
+void add_solve_command(CLI::App& app, int& exit_code);
+void add_generate_command(CLI::App& app, int& exit_code);
+
+}  // namespace viewcover

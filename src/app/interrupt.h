@@ -1,0 +1,23 @@
+#pragma once
+
+#include <atomic>
+
+namespace viewcover {
+
+/// From now on the first SIGINT sets interrupt_flag(), a second one ends the process; SIGXFSZ and
+/// SIGPIPE are ignored, so that writing fails with a reason instead.
+void install_signal_handlers();
+
+/// Set by the first SIGINT, never reset.
+const std::atomic<bool>& interrupt_flag();
+
+/// While it lives, SIGINT also sets `target`, at once if it has come already. One at a time.
+class ForwardInterrupt {
+ public:
+  explicit ForwardInterrupt(std::atomic<bool>& target);
+  ~ForwardInterrupt();
+  ForwardInterrupt(const ForwardInterrupt&) = delete;
+  ForwardInterrupt& operator=(const ForwardInterrupt&) = delete;
+};
+
+}  // namespace viewcover

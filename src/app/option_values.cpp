@@ -1,0 +1,74 @@
+#include "app/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+template <class Number>
+bool parse(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+template <class Integer>
+Integer integer_in(std::string_view option, std::string_view text, Integer least, Integer most) {
+  Integer number = 0;
+  if (!parse(text, number) || number < least || number > most) {
+    throw InputError(option, "'" + std::string(text) + "' is no whole number in range",
+                     "give " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return number;
+}
+
+double finite_number(std::string_view option, std::string_view text, bool zero_allowed) {
+  double number = 0;
+  if (!parse(text, number) || !std::isfinite(number) || number < 0 ||
+      (number == 0 && !zero_allowed)) {
+    throw InputError(
+        option, "'" + std::string(text) + "' is no number in range",
+        zero_allowed ? "give a finite number, 0 or more" : "give a finite number greater than 0");
+  }
+  return number;
+}
+
+}  // namespace
+
+std::uint64_t count_option(std::string_view option, std::string_view text, std::uint64_t least,
+                           std::uint64_t most) {
+  return integer_in(option, text, least, most);
+}
+
+int integer_option(std::string_view option, std::string_view text, int least, int most) {
+  return integer_in(option, text, least, most);
+}
+
+double positive_option(std::string_view option, std::string_view text) {
+  return finite_number(option, text, false);
+}
+
+double non_negative_option(std::string_view option, std::string_view text) {
+  return finite_number(option, text, true);
+}
+
+void require_available(std::string_view option, std::string_view value,
+                       std::span<const std::string_view> available) {
+  if (std::ranges::find(available, value) != available.end()) return;
+  throw InputError(std::string(option) + " " + std::string(value), "not in this version",
+                   "use " + alternatives(available));
+}
+
+std::string alternatives(std::span<const std::string_view> names) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += i + 1 == names.size() ? " or " : ", ";
+    list += names[i];
+  }
+  return list;
+}
+
+}  // namespace viewcover

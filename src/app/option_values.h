@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace viewcover {
+
+// Option values from their text. Errors: InputError at the option for text that is not wholly a
+// number or is out of range.
+
+/// A whole number in [least, most].
+std::uint64_t count_option(std::string_view option, std::string_view text, std::uint64_t least,
+                           std::uint64_t most);
+int integer_option(std::string_view option, std::string_view text, int least, int most);
+/// A finite number > 0.
+double positive_option(std::string_view option, std::string_view text);
+/// A finite number >= 0.
+double non_negative_option(std::string_view option, std::string_view text);
+
+/// Refuses a value that is not among `available`, as `--option value: not in this version; use
+/// ...`.
+void require_available(std::string_view option, std::string_view value,
+                       std::span<const std::string_view> available);
+
+/// "a, b or c".
+std::string alternatives(std::span<const std::string_view> names);
+
+}  // namespace viewcover

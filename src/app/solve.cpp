@@ -1,0 +1,144 @@
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/solve_options.h"
+#include "app/solve_tables.h"
+#include "links/refine.h"
+#include "links/visibility_matrix.h"
+#include "optim/cover_methods.h"
+#include "optim/stopwatch.h"
+#include "report/bundle.h"
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kLimitReached = 1;
+constexpr int kInterrupted = 130;
+
+void stop_if_interrupted() {
+  if (interrupt_flag()) throw Interrupted();
+}
+
+LinkSet find_links(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
+                   const VisibilityBackend& backend, const RefineOptions& refine_options,
+                   const SolveOptions& options) {
+  RefineProgress progress;
+  const ForwardInterrupt forward(progress.stop);
+  const Progress shown(
+      "visibility",
+      [&progress] {
+        return Progress::State{progress.share_done, fmt::format("{} links", progress.links.load())};
+      },
+      options.quiet);
+  return tbb::task_arena(options.threads).execute([&] {
+    return refine(scene, clusters, region, backend, refine_options, &progress);
+  });
+}
+
+RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& options) {
+  const CoverInstance instance(matrix.bits, matrix.areas);
+  const double bound = static_cast<double>(instance.lower_bound());
+  std::atomic<std::size_t> regions = 0;
+  std::atomic<double> percent = 0;
+  const Progress shown(
+      "region cover",
+      [&] {
+        // At least `bound` numbers of regions are tried; nobody knows how many more.
+        const auto done = static_cast<double>(regions.load());
+        return Progress::State{done / std::max(bound, done + 1),
+                               fmt::format("{} regions see {:.4f} % of what is visible",
+                                           regions.load(), percent.load())};
+      },
+      options.quiet);
+  CoverOptions cover_options;
+  cover_options.seed = options.seed;
+  cover_options.time_limit_seconds = options.time_limit_seconds;
+  cover_options.stop = &interrupt_flag();
+  cover_options.on_step = [&](const CoverStep& step) {
+    regions = step.k;
+    percent = step.covered_percent;
+  };
+  return make_cover_method(options.optimizer)->solve(instance, cover_options);
+}
+
+int solve(const SolveOptions& options) {
+  const Stopwatch total;
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
+  const Scene scene = load_scene(options.scene_file, {.lattice_exponent = options.lattice_exponent,
+                                                      .one_sided = options.one_sided,
+                                                      .merge_coplanar = options.merge_coplanar});
+  if (scene.repairs.any() && !options.quiet) {
+    print_error_line(options.scene_file.string() + ": " + scene.repairs.summary());
+  }
+  const ViewingRegion region =
+      load_viewing_region(options.region_file, scene.lattice, options.regions_per_part);
+  check_region_is_free(options.region_file, scene, region,
+                       {.clearance = options.clearance, .allow_outside = options.allow_outside});
+  stop_if_interrupted();
+
+  const RefineOptions refine_options{
+      .element_area = options.element_area.value_or(default_element_area(scene)),
+      .one_sided = options.one_sided};
+  Bundle bundle(options.output,
+                make_run_record(options.scene_file, options.region_file, scene, options.seed,
+                                options.to_json(refine_options.element_area), options.threads));
+  try {
+    RunSeconds seconds;
+    const std::unique_ptr<VisibilityBackend> backend =
+        options.backend->make(options.backend_options);
+    const Stopwatch visibility;
+    const ClusterTree clusters(scene);
+    const LinkSet links = find_links(scene, clusters, region, *backend, refine_options, options);
+    const VisibilityMatrix matrix = make_visibility_matrix(scene, region, links);
+    seconds.visibility = visibility.seconds();
+    stop_if_interrupted();
+
+    const Stopwatch covering;
+    const RegionCover cover = choose_regions(matrix, options);
+    seconds.cover = covering.seconds();
+
+    const Solution solution{scene, clusters, region, links, matrix, cover};
+    bundle.write(solution);
+    stop_if_interrupted();
+    seconds.total = total.seconds();
+    bundle.complete(solution, seconds);
+    if (!options.quiet) print_out(solve_tables(solution, seconds) + "\n");
+    print_out(summary_line(solution, backend->name(), backend->guarantee(), seconds)
+                  .dump(-1, ' ', false, Json::error_handler_t::replace) +
+              "\n");
+    return cover.time_limit_reached ? kLimitReached : kDone;
+  } catch (const Interrupted&) {
+    // It has said so from the beginning; the reason is a courtesy that a full disk may prevent.
+    try {
+      bundle.abandon("interrupted");
+    } catch (const InputError&) {
+    }
+    print_error_line("interrupted; the bundle in " + options.output.string() +
+                     " is marked incomplete");
+    return kInterrupted;
+  }
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, int& exit_code) {
+  const auto text = std::make_shared<SolveText>();
+  CLI::App* const command =
+      app.add_subcommand("solve", "find the fewest viewing regions that see all that is visible");
+  text->add_to(*command);
+  command->callback([text, &exit_code] { exit_code = solve(SolveOptions(*text)); });
+}
+
+}  // namespace viewcover

@@ -1,0 +1,136 @@
+#include "app/solve_options.h"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#include "app/option_values.h"
+#include "optim/cover_methods.h"
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+/// More threads than any machine at hand has, few enough to start.
+constexpr std::uint64_t kMostThreads = 1024;
+/// A million rays see through any gap that matters; beyond, a run would never end.
+constexpr int kMostRays = 1'000'000;
+/// 4^10, the most regions a part (scene/viewing_region.h).
+constexpr std::uint64_t kMostRegions = std::uint64_t{1} << 20;
+/// Exponents of doubles that leave room for the bits of subdivision on either side.
+constexpr int kMostLatticeExponent = 900;
+
+template <class Entry>
+std::vector<std::string_view> names_of(std::span<const Entry> entries) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
+void require_given(std::string_view option, const std::string& value, std::string_view what) {
+  if (value.empty()) throw InputError(option, "is missing", what);
+}
+
+void refuse_what_is_not_here(const SolveText& text) {
+  using namespace std::string_view_literals;
+  require_available("--backend", text.backend, names_of(backends()));
+  require_available("--optimizer", text.optimizer, names_of(cover_methods()));
+  require_available("--sampling", text.sampling, std::array{"plain"sv, "stratified"sv});
+  require_available("--viewpoints", text.viewpoints, std::array{"none"sv});
+  require_available("--coverage", text.coverage, std::array{"elements"sv});
+  if (text.resume) throw InputError("--resume", "not in this version", "start the run anew");
+}
+
+}  // namespace
+
+void SolveText::add_to(CLI::App& command) {
+  optimizer = cover_methods().front().name;
+  const std::string backend_names = alternatives(names_of(backends()));
+  const std::string optimizer_names = alternatives(names_of(cover_methods()));
+  const auto option = [&](const char* name, std::string& value, const std::string& what,
+                          const char* type) {
+    return command.add_option(name, value, what)->type_name(type);
+  };
+  option("scene", scene_file, "the scene: .obj, .off, .ply or .stl", "SCENE");
+  option("--region", region_file, "the viewing region: .json, .obj, .off, .ply or .stl", "REGION");
+  option("-o,--output", output, "the folder for the results", "DIR");
+  option("--backend", backend, "who decides shafts with several occluders: " + backend_names,
+         "NAME");
+  option("--rays", rays, "random rays a shaft (default: 16)", "N");
+  option("--sampling", sampling, "how rays are drawn: plain (default) or stratified", "KIND");
+  option("--regions", regions, "viewing regions a planar part, a power of 4 (default: 64)", "N");
+  option("--element-area", element_area,
+         "subdivide elements while larger (default: 1 % of the mean area of the scene's bounding "
+         "box faces)",
+         "A");
+  option("--optimizer", optimizer, "how regions are chosen: " + optimizer_names, "NAME");
+  option("--viewpoints", viewpoints, "viewpoint search: none", "NAME");
+  option("--coverage", coverage, "what a viewpoint must see: elements", "KIND");
+  command.add_flag("--one-sided", one_sided, "only the front of a surface counts as visible");
+  option("--clearance", clearance, "least distance of a camera from any surface (default: 0)", "D");
+  option("--time-limit", time_limit,
+         "seconds for choosing regions; then the rest is chosen greedily and the exit code is 1",
+         "S");
+  option("--lattice", lattice,
+         "round coordinates to multiples of 2^-E (default: 24 bits for the largest)", "E");
+  command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
+  command.add_flag("--allow-outside", allow_outside, "accept a region outside the scene");
+  command.add_flag("--resume", resume)->group("");
+  add_common_options(command, common);
+}
+
+SolveOptions::SolveOptions(const SolveText& text)
+    : scene_file(text.scene_file),
+      region_file(text.region_file),
+      output(text.output),
+      quiet(text.common.quiet),
+      optimizer(text.optimizer),
+      one_sided(text.one_sided),
+      merge_coplanar(text.merge_coplanar),
+      allow_outside(text.allow_outside) {
+  require_given("SCENE", text.scene_file, "give a scene file");
+  require_given("--region", text.region_file, "give a file with the viewing region");
+  require_given("--output", text.output, "give a folder for the results, such as -o results");
+  refuse_what_is_not_here(text);
+  backend = &*std::ranges::find(backends(), text.backend, &BackendEntry::name);
+  threads = static_cast<int>(
+      text.common.threads.empty()
+          ? std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMostThreads)
+          : count_option("--threads", text.common.threads, 1, kMostThreads));
+  seed = count_option("--seed", text.common.seed, 0, UINT64_MAX);
+  backend_options.rays = integer_option("--rays", text.rays, 1, kMostRays);
+  backend_options.stratified = text.sampling == "stratified";
+  backend_options.seed = seed;
+  regions_per_part = count_option("--regions", text.regions, 1, kMostRegions);
+  if (!text.element_area.empty()) {
+    element_area = positive_option("--element-area", text.element_area);
+  }
+  clearance = non_negative_option("--clearance", text.clearance);
+  if (!text.time_limit.empty()) {
+    time_limit_seconds = positive_option("--time-limit", text.time_limit);
+  }
+  if (!text.lattice.empty()) {
+    lattice_exponent =
+        integer_option("--lattice", text.lattice, -kMostLatticeExponent, kMostLatticeExponent);
+  }
+}
+
+Json SolveOptions::to_json(double used_element_area) const {
+  Json options;
+  options["backend"] = backend->name;
+  options["rays"] = backend_options.rays;
+  options["sampling"] = backend_options.stratified ? "stratified" : "plain";
+  options["regions"] = regions_per_part;
+  options["element_area"] = used_element_area;
+  options["optimizer"] = optimizer;
+  options["viewpoints"] = "none";
+  options["one_sided"] = one_sided;
+  options["clearance"] = clearance;
+  options["time_limit"] = time_limit_seconds > 0 ? Json(time_limit_seconds) : Json(nullptr);
+  options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
+  options["merge_coplanar"] = merge_coplanar;
+  options["allow_outside"] = allow_outside;
+  return options;
+}
+
+}  // namespace viewcover

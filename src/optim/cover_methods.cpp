@@ -1,0 +1,29 @@
+#include "optim/cover_methods.h"
+
+#include <algorithm>
+#include <array>
+
+#include "optim/simulated_annealing.h"
+
+namespace viewcover {
+namespace {
+
+template <class Method>
+std::unique_ptr<CoverMethod> make() {
+  return std::make_unique<Method>();
+}
+
+constexpr std::array kMethods = {
+    CoverMethodEntry{"sa", make<SimulatedAnnealing>},
+};
+
+}  // namespace
+
+std::span<const CoverMethodEntry> cover_methods() { return kMethods; }
+
+std::unique_ptr<CoverMethod> make_cover_method(std::string_view name) {
+  const auto* const entry = std::ranges::find(kMethods, name, &CoverMethodEntry::name);
+  return entry == kMethods.end() ? nullptr : entry->make();
+}
+
+}  // namespace viewcover

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "links/bit_rows.h"
+
+namespace viewcover {
+
+/// Choose the fewest rows whose union is the union of all rows; a column counts with its weight.
+///
+/// Built from any 0/1 matrix: equal columns are merged with their weights summed, columns that no
+/// row covers are left out. Merged columns keep the order of their first occurrence.
+/// Immutable; concurrent reads are safe.
+class CoverInstance {
+ public:
+  /// `weights`: one a column, >= 0, with a finite sum. Cost: O(#rows x #columns / 64 + #ones).
+  CoverInstance(const BitRows& matrix, std::span<const double> weights);
+
+  const BitRows& rows() const { return rows_; }                 ///< #rows x #merged columns
+  std::span<const double> weights() const { return weights_; }  ///< of the merged columns
+  double total_weight() const { return total_weight_; }         ///< of all coverable columns
+
+  bool covers_all(std::span<const std::size_t> chosen) const;
+  double covered_weight(std::span<const std::size_t> chosen) const;
+  /// Share of total_weight(), in [0, 100]; 100 if the rows cover everything or nothing has weight.
+  double covered_percent(std::span<const std::size_t> chosen) const;
+
+  /// A proven lower bound on the number of rows of a cover: the size of a set of columns no two of
+  /// which share a row, gathered greedily, columns of few rows first. 0 without columns.
+  std::size_t lower_bound() const;
+  /// No k rows cover more than this share of total_weight(): the k heaviest rows together, rounded
+  /// upward. At most 100.
+  double upper_bound_percent(std::size_t k) const;
+
+ private:
+  BitRows rows_;
+  std::vector<double> weights_;
+  double total_weight_ = 0;
+  std::vector<double> heaviest_;  ///< row weights, descending
+};
+
+/// The best set found for one number of rows.
+struct CoverStep {
+  std::size_t k = 0;
+  std::vector<std::size_t> chosen;   ///< row numbers, ascending, k of them
+  double covered_percent = 0;        ///< of total_weight()
+  double upper_bound_percent = 100;  ///< no k rows cover more (proven)
+  std::uint64_t evaluations = 0;     ///< benefits computed for this k
+  double seconds = 0;                ///< for this k
+
+  friend bool operator==(const CoverStep&, const CoverStep&) = default;
+};
+
+struct RegionCover {
+  std::vector<CoverStep> steps;  ///< k = 1, 2, ...; the last one covers everything coverable
+  std::size_t lower_bound = 0;   ///< proven, on the number of rows
+  /// The search was cut short: the last steps were filled up greedily, so that the cover is whole.
+  bool time_limit_reached = false;
+
+  /// Rows of the cover; 0 where nothing is coverable.
+  std::size_t size() const { return steps.empty() ? 0 : steps.back().k; }
+  /// True iff the cover is known to be a smallest one.
+  bool proved() const { return size() == lower_bound; }
+};
+
+struct CoverOptions {
+  std::uint64_t seed = 1;
+  double time_limit_seconds = 0;                  ///< 0: none
+  const std::atomic<bool>* stop = nullptr;        ///< set from outside to end early
+  std::function<void(const CoverStep&)> on_step;  ///< after each k, from the calling thread
+};
+
+/// One method of choosing rows; methods are found by name (optim/cover_methods.h).
+///
+/// The result depends on the instance and options.seed only, unless a time limit strikes.
+/// Thread-safety: concurrent calls on one object are allowed.
+class CoverMethod {
+ public:
+  virtual ~CoverMethod() = default;
+  virtual std::string_view name() const = 0;
+  /// Best sets for k = 1, 2, ... until everything coverable is covered (paper, section 2.3).
+  /// An instance without coverable columns gives no steps.
+  /// Errors: Interrupted if options.stop is set.
+  virtual RegionCover solve(const CoverInstance& instance, const CoverOptions& options) const = 0;
+
+ protected:
+  CoverMethod() = default;
+  CoverMethod(const CoverMethod&) = default;
+  CoverMethod& operator=(const CoverMethod&) = default;
+};
+
+}  // namespace viewcover

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "optim/region_cover.h"
+#include "optim/stopwatch.h"
+#include "scene/error.h"
+
+namespace viewcover {
+
+/// What ends a search from outside: the stop flag and the time limit of its options.
+class SearchLimits {
+ public:
+  explicit SearchLimits(const CoverOptions& options)
+      : stop_(options.stop), time_limit_(options.time_limit_seconds) {}
+
+  /// True once the time limit has passed, and from then on. Cost: a clock reading, with a limit.
+  /// Errors: Interrupted if the stop flag is set.
+  bool expired() {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+    if (!expired_ && time_limit_ > 0) expired_ = watch_.seconds() >= time_limit_;
+    return expired_;
+  }
+  /// True iff some call of expired() said so.
+  bool has_expired() const { return expired_; }
+
+ private:
+  const std::atomic<bool>* stop_;
+  double time_limit_;
+  Stopwatch watch_;
+  bool expired_ = false;
+};
+
+}  // namespace viewcover

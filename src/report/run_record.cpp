@@ -1,0 +1,114 @@
+#include "report/run_record.h"
+
+#include "report/build_info.h"
+#include "report/machine.h"
+#include "report/sha256.h"
+
+namespace viewcover {
+namespace {
+
+Json input(const std::filesystem::path& file) {
+  return {{"file", file.string()}, {"sha256", sha256_of_file(file)}};
+}
+
+Json repairs_of(const Scene& scene) {
+  const Repairs& repairs = scene.repairs;
+  return {{"welded_vertices", repairs.welded_vertices},
+          {"degenerate_faces", repairs.degenerate_faces},
+          {"duplicate_faces", repairs.duplicate_faces},
+          {"split_faces", repairs.split_faces},
+          {"triangulated_faces", repairs.triangulated_faces},
+          {"merged_surfaces", repairs.merged_surfaces},
+          {"largest_move", repairs.largest_move}};
+}
+
+Json seconds_of(const RunSeconds& seconds) {
+  return {{"visibility", seconds.visibility},
+          {"cover", seconds.cover},
+          {"viewpoints", seconds.viewpoints},
+          {"total", seconds.total}};
+}
+
+}  // namespace
+
+Json make_run_record(const std::filesystem::path& scene_file,
+                     const std::filesystem::path& region_file, const Scene& scene,
+                     std::uint64_t seed, const Json& options, int threads) {
+  const BuildInfo build = build_info();
+  const Machine machine = this_machine();
+  Json record;
+  record["complete"] = false;
+  record["program"] = "viewcover";
+  record["version"] = build.version;
+  record["commit"] = build.commit;
+  record["compiler"] = build.compiler;
+  record["inputs"] = {{"scene", input(scene_file)}, {"region", input(region_file)}};
+  record["seed"] = seed;
+  record["options"] = options;
+  record["scene"] = {{"name", scene.name},
+                     {"faces", scene.faces},
+                     {"polygons", scene.surfaces.size()},
+                     {"groups", scene.groups.size()},
+                     {"area", scene.area()},
+                     {"lattice_exponent", scene.lattice.exponent},
+                     {"repairs", repairs_of(scene)}};
+  record["measured"] = {{"started", utc_now()},
+                        {"threads", threads},
+                        {"machine",
+                         {{"processor", machine.processor},
+                          {"system", machine.system},
+                          {"cores", machine.cores},
+                          {"memory_kb", machine.memory_kb}}}};
+  return record;
+}
+
+void add_results(Json& record, const Solution& solution, const RunSeconds& seconds) {
+  Json verdicts = Json::object();
+  for (std::size_t i = 0; i < kVerdictCount; ++i) {
+    const Verdict verdict = static_cast<Verdict>(i);
+    verdicts[std::string(name(verdict))] = solution.links.verdicts(verdict);
+  }
+  record["verdicts"] = verdicts;
+  std::vector<std::size_t> chosen = solution.chosen();
+  for (std::size_t& region : chosen) ++region;
+  record["results"] = {{"regions", solution.region.region_count()},
+                       {"elements", solution.matrix.elements.size()},
+                       {"visible_elements", visible_elements(solution.matrix)},
+                       {"links", solution.links.size()},
+                       {"optimal_regions", solution.cover.size()},
+                       {"chosen", chosen},
+                       {"regions_lower_bound", solution.cover.lower_bound},
+                       {"proved", solution.cover.proved()}};
+  Json& measured = record["measured"];
+  // Where a time limit strikes depends on the machine.
+  measured["time_limit_reached"] = solution.cover.time_limit_reached;
+  measured["seconds"] = seconds_of(seconds);
+  measured["peak_memory_kb"] = peak_memory_kb();
+  measured["link_memory_bytes"] = solution.links.memory_bytes();
+}
+
+Json summary_line(const Solution& solution, std::string_view backend, Guarantee guarantee,
+                  const RunSeconds& seconds) {
+  Json line;
+  line["scene"] = solution.scene.name;
+  line["backend"] = backend;
+  line["polygons"] = solution.scene.surfaces.size();
+  line["regions"] = solution.region.region_count();
+  line["elements"] = solution.matrix.elements.size();
+  line["visible_elements"] = visible_elements(solution.matrix);
+  line["links"] = solution.links.size();
+  line["optimal_regions"] = solution.cover.size();
+  line["proved"] = solution.cover.proved();
+  line["lower_bound"] = nullptr;
+  if (guarantee == Guarantee::kExact) line["lower_bound"] = solution.cover.lower_bound;
+  line["viewpoints"] = nullptr;
+  line["seconds"] = seconds_of(seconds);
+  line["peak_memory_kb"] = peak_memory_kb();
+  return line;
+}
+
+std::size_t visible_elements(const VisibilityMatrix& matrix) {
+  return count_bits(matrix.bits.union_of_all());
+}
+
+}  // namespace viewcover

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "report/solution.h"
+
+namespace viewcover {
+
+/// The elements, then the viewing regions, as polygons of a VTK XML PolyData file in ASCII, for
+/// ParaView. Arrays over the cells:
+///  - `kind`: 0 for an element, 1 for a region
+///  - `times_visible`: regions that see the element; 0 for a region
+///  - `covered_by`: chosen regions that see the element; 0 for a region
+///  - `chosen`: 1 for a chosen region, 0 for everything else
+///  - `surface`, `group`: 1-based numbers; 0 for a region
+/// and, over the whole, `group_names`. Errors: InputError where the file cannot be written.
+void write_scene_vtp(const Solution& solution, const std::filesystem::path& file);
+
+}  // namespace viewcover

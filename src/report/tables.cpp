@@ -1,0 +1,158 @@
+#include "report/tables.h"
+
+#include <algorithm>
+
+#include "report/file_writer.h"
+
+namespace viewcover {
+namespace {
+
+/// Column titles `,x0,y0,z0,x1,...` for polygons of up to `corners` corners.
+void write_corner_titles(FileWriter& out, std::size_t corners) {
+  for (std::size_t i = 0; i < corners; ++i) {
+    for (const char axis : {'x', 'y', 'z'}) out << ',' << axis << i;
+  }
+}
+
+void write_corners(FileWriter& out, const ConvexPolygon& polygon, std::size_t corners) {
+  for (std::size_t i = 0; i < corners; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      out << ',';
+      if (i < polygon.size()) out << polygon[i][axis];
+    }
+  }
+}
+
+void write_place(FileWriter& out, int level, std::uint64_t path, const ConvexPolygon& polygon) {
+  const Point centre = centroid(polygon);
+  out << level << ',' << path << ',' << centre.x() << ',' << centre.y() << ',' << centre.z();
+}
+
+std::size_t most_corners(const std::vector<ConvexPolygon>& polygons) {
+  std::size_t corners = 0;
+  for (const ConvexPolygon& polygon : polygons) corners = std::max(corners, polygon.size());
+  return corners;
+}
+
+template <class Owner>
+void write_node(FileWriter& out, QuadAddress<Owner> node) {
+  out << node.owner().value + 1 << ':' << node.level() << ':' << node.path();
+}
+
+}  // namespace
+
+void write_regions(const Solution& solution, const std::filesystem::path& file) {
+  const ViewingRegion& region = solution.region;
+  std::vector<ConvexPolygon> polygons;
+  polygons.reserve(region.region_count());
+  for (std::size_t i = 0; i < region.region_count(); ++i) {
+    polygons.push_back(region.polygon(region.address(i)));
+  }
+  std::vector<bool> chosen(region.region_count(), false);
+  for (const std::size_t row : solution.chosen()) chosen[row] = true;
+
+  const std::size_t corners = most_corners(polygons);
+  FileWriter out(file);
+  out << "region,part,level,path,cx,cy,cz,area,chosen";
+  write_corner_titles(out, corners);
+  out << '\n';
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const RegionAddress address = region.address(i);
+    out << i + 1 << ',' << address.owner().value + 1 << ',';
+    write_place(out, address.level(), address.path(), polygons[i]);
+    out << ',' << area(polygons[i]) << ',' << (chosen[i] ? '1' : '0');
+    write_corners(out, polygons[i], corners);
+    out << '\n';
+  }
+  out.commit();
+}
+
+void write_elements(const Solution& solution, const std::filesystem::path& file) {
+  const std::vector<ElementAddress>& elements = solution.matrix.elements;
+  std::vector<ConvexPolygon> polygons;
+  polygons.reserve(elements.size());
+  for (const ElementAddress element : elements) {
+    polygons.push_back(subdivided(solution.scene[element.owner()].polygon, element));
+  }
+  std::vector<std::string> groups;
+  for (const std::string& group : solution.scene.groups) groups.push_back(csv_field(group));
+  const std::vector<std::uint32_t> times_visible = solution.matrix.times_visible();
+
+  const std::size_t corners = most_corners(polygons);
+  FileWriter out(file);
+  out << "element,surface,group,level,path,cx,cy,cz,area,times_visible";
+  write_corner_titles(out, corners);
+  out << '\n';
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const SurfaceId surface = elements[i].owner();
+    out << i + 1 << ',' << surface.value + 1 << ',' << groups[solution.scene[surface].group.value]
+        << ',';
+    write_place(out, elements[i].level(), elements[i].path(), polygons[i]);
+    out << ',' << solution.matrix.areas[i] << ',' << times_visible[i];
+    write_corners(out, polygons[i], corners);
+    out << '\n';
+  }
+  out.commit();
+}
+
+void write_links(const Solution& solution, const std::filesystem::path& file) {
+  FileWriter out(file);
+  out << "region,element,kind,occluders\n";
+  std::vector<std::uint32_t> surfaces;
+  for (std::size_t i = 0; i < solution.links.size(); ++i) {
+    const Link link = solution.links[i];
+    write_node(out, link.region);
+    out << ',';
+    write_node(out, link.element);
+    out << ',' << name(link.verdict) << ',';
+    surfaces.clear();
+    for (const OccluderId occluder : solution.links.occluders(i)) {
+      surfaces.push_back(solution.clusters.surface(occluder).value + 1);
+    }
+    std::ranges::sort(surfaces);
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      if (s > 0) out << ' ';
+      out << surfaces[s];
+    }
+    out << '\n';
+  }
+  out.commit();
+}
+
+void write_visibility(const VisibilityMatrix& matrix, const std::filesystem::path& file) {
+  const BitRows& bits = matrix.bits;
+  std::size_t entries = 0;
+  for (std::size_t row = 0; row < bits.rows(); ++row) entries += count_bits(bits.row(row));
+  FileWriter out(file);
+  out << "%%MatrixMarket matrix coordinate pattern general\n"
+      << "% rows: regions, columns: elements, in the order of regions.csv and elements.csv\n"
+      << bits.rows() << ' ' << bits.columns() << ' ' << entries << '\n';
+  for (std::size_t row = 0; row < bits.rows(); ++row) {
+    for_each_bit(bits.row(row),
+                 [&](std::size_t column) { out << row + 1 << ' ' << column + 1 << '\n'; });
+  }
+  out.commit();
+}
+
+void write_cover(const RegionCover& cover, const std::filesystem::path& file) {
+  FileWriter out(file);
+  out << "k,covered_area_percent,upper_bound_percent,seconds,evaluations,regions\n";
+  for (const CoverStep& step : cover.steps) {
+    out << step.k << ',' << step.covered_percent << ',' << step.upper_bound_percent << ','
+        << step.seconds << ',' << step.evaluations << ',';
+    for (std::size_t i = 0; i < step.chosen.size(); ++i) {
+      if (i > 0) out << ' ';
+      out << step.chosen[i] + 1;
+    }
+    out << '\n';
+  }
+  out.commit();
+}
+
+void write_viewpoints(const std::filesystem::path& file) {
+  FileWriter out(file);
+  out << "viewpoint,x,y,z,region,covered_area_percent,seconds\n";
+  out.commit();
+}
+
+}  // namespace viewcover

@@ -1,0 +1,264 @@
+#include "optim/simulated_annealing.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <numeric>
+#include <random>
+
+#include "optim/cover_methods.h"
+#include "reference_cover.h"
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+RegionCover solve(const BitRows& matrix, const std::vector<double>& weights,
+                  std::uint64_t seed = 1) {
+  CoverOptions options;
+  options.seed = seed;
+  return SimulatedAnnealing().solve(CoverInstance(matrix, weights), options);
+}
+
+/// Checks all that a cover claims but optimality, with the original matrix only.
+void expect_certificates(const BitRows& matrix, const std::vector<double>& weights,
+                         const RegionCover& cover) {
+  const std::vector<BitRows::Word> all = matrix.union_of_all();
+  const double total = weight_of(all, weights);
+  double before = 0;
+  for (std::size_t i = 0; i < cover.steps.size(); ++i) {
+    const CoverStep& step = cover.steps[i];
+    ASSERT_EQ(step.k, i + 1);
+    ASSERT_EQ(step.chosen.size(), step.k);
+    ASSERT_TRUE(std::ranges::is_sorted(step.chosen, std::less_equal<>()) || step.k == 1);
+    ASSERT_EQ(std::ranges::adjacent_find(step.chosen), step.chosen.end());
+    const std::vector<BitRows::Word> covered = matrix.union_of(step.chosen);
+    if (total > 0) {
+      ASSERT_NEAR(step.covered_percent, 100 * weight_of(covered, weights) / total, 1e-9);
+    }
+    ASSERT_GE(step.covered_percent, before);
+    ASSERT_LE(step.covered_percent, step.upper_bound_percent);
+    ASSERT_EQ(covered == all, i + 1 == cover.steps.size());
+    before = step.covered_percent;
+  }
+  ASSERT_LE(cover.lower_bound, cover.size());
+}
+
+TEST(SimulatedAnnealing, EqualsBruteForceOnSmallInstances) {
+  std::size_t several = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::size_t rows = 1 + random() % 12, columns = 1 + random() % 40;
+    const std::uint64_t sparsity = 2 + random() % 6;
+    BitRows matrix(rows, columns);
+    std::vector<double> weights(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      weights[c] = static_cast<double>(random() % 100) / 8;
+      for (std::size_t r = 0; r < rows; ++r) {
+        if (random() % sparsity == 0) matrix.set(r, c);
+      }
+    }
+    const RegionCover cover = solve(matrix, weights, seed);
+    expect_certificates(matrix, weights, cover);
+    const double total = weight_of(matrix.union_of_all(), weights);
+    for (const CoverStep& step : cover.steps) {
+      if (total == 0) break;
+      const double best = reference::maximum_coverage(matrix, weights, step.k);
+      ASSERT_NEAR(step.covered_percent, 100 * best / total, 1e-9) << "k = " << step.k;
+    }
+    ASSERT_EQ(cover.size(), reference::minimum_cover(matrix));
+    several += cover.size() >= 3;
+  }
+  EXPECT_GT(several, 50u);
+}
+
+TEST(SimulatedAnnealing, FindsTheOptimumOfRoomsForEverySeed) {
+  for (std::uint64_t room_seed = 1; room_seed <= 6; ++room_seed) {
+    const auto room =
+        reference::furnished_room(8, 2500, 3 + static_cast<int>(room_seed), room_seed);
+    const std::size_t optimum = reference::minimum_cover(room.matrix);
+    EXPECT_GE(optimum, 5u);
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(::testing::Message() << "room " << room_seed << ", seed " << seed);
+      const RegionCover cover = solve(room.matrix, room.weights, seed);
+      expect_certificates(room.matrix, room.weights, cover);
+      EXPECT_EQ(cover.size(), optimum);
+    }
+  }
+}
+
+TEST(SimulatedAnnealing, FindsTheOptimumOfARoomWithManyRegions) {
+  const reference::Room room = reference::furnished_room(16, 5000, 5, 1);
+  const std::size_t optimum = reference::minimum_cover(room.matrix);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const RegionCover cover = solve(room.matrix, room.weights, seed);
+    expect_certificates(room.matrix, room.weights, cover);
+    EXPECT_EQ(cover.size(), optimum);
+  }
+}
+
+TEST(SimulatedAnnealing, FindsPlantedCovers) {
+  // 7 of 64 rows share the columns out among them; the others see random eighths of them.
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::size_t rows = 64, columns = 1000, planted = 7;
+    std::vector<std::size_t> order(rows);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), random);
+    BitRows matrix(rows, columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      matrix.set(order[c % planted], c);
+      for (std::size_t r = planted; r < rows; ++r) {
+        if (random() % 8 == 0) matrix.set(order[r], c);
+      }
+    }
+    const RegionCover cover = solve(matrix, std::vector<double>(columns, 1.0), seed);
+    ASSERT_EQ(cover.size(), planted);
+    std::vector<std::size_t> expected(order.begin(), order.begin() + planted);
+    std::ranges::sort(expected);
+    EXPECT_EQ(cover.steps.back().chosen, expected);
+  }
+}
+
+TEST(SimulatedAnnealing, AffineSpacesTakeFiveAndEighteen) {
+  // Every line of AG(n,3) is to be hit by a chosen point. The points left over hold no line, so
+  // there are at most as many as in the largest cap set, 4 and 9: 9 - 4 and 27 - 9 are needed.
+  for (const auto& [dimension, optimum] : {std::pair<int, std::size_t>{2, 5}, {3, 18}}) {
+    const std::size_t points = dimension == 2 ? 9 : 27;
+    std::vector<std::array<std::size_t, 3>> lines;
+    for (std::size_t a = 0; a < points; ++a) {
+      for (std::size_t b = a + 1; b < points; ++b) {
+        std::size_t c = 0;
+        for (std::size_t digit = 1; digit < points; digit *= 3) {
+          c += (6 - a / digit % 3 - b / digit % 3) % 3 * digit;
+        }
+        if (c > b) lines.push_back({a, b, c});
+      }
+    }
+    BitRows matrix(points, lines.size());
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      for (const std::size_t point : lines[line]) matrix.set(point, line);
+    }
+    const RegionCover cover = solve(matrix, std::vector<double>(lines.size(), 1.0));
+    EXPECT_EQ(cover.size(), optimum);
+  }
+}
+
+TEST(SimulatedAnnealing, NothingToCoverGivesNoSteps) {
+  EXPECT_TRUE(solve(BitRows(), {}).steps.empty());
+  EXPECT_TRUE(solve(BitRows(4, 0), {}).steps.empty());
+  const RegionCover uncoverable = solve(BitRows(4, 3), {1, 1, 1});
+  EXPECT_TRUE(uncoverable.steps.empty());
+  EXPECT_EQ(uncoverable.lower_bound, 0u);
+  EXPECT_TRUE(uncoverable.proved());
+}
+
+TEST(SimulatedAnnealing, OneRowCoversAlone) {
+  BitRows matrix(1, 70);
+  matrix.set_range(0, 3, 66);
+  const RegionCover cover = solve(matrix, std::vector<double>(70, 0.1));
+  ASSERT_EQ(cover.size(), 1u);
+  EXPECT_EQ(cover.steps[0].covered_percent, 100);
+  EXPECT_TRUE(cover.proved());
+}
+
+TEST(SimulatedAnnealing, ColumnsWithoutWeightAreCoveredToo) {
+  BitRows matrix(3, 3);
+  for (std::size_t i = 0; i < 3; ++i) matrix.set(i, i);
+  EXPECT_EQ(solve(matrix, {1, 0, 1}).size(), 3u);
+  EXPECT_EQ(solve(matrix, {0, 0, 0}).size(), 3u);
+}
+
+TEST(SimulatedAnnealing, RepeatedRowsAndColumnsChangeNothing) {
+  const reference::Room room = reference::furnished_room(8, 400, 5, 11);
+  const std::size_t rows = room.matrix.rows(), columns = room.matrix.columns();
+  BitRows doubled(rows, 2 * columns), stacked(2 * rows, columns);
+  std::vector<double> halves;
+  for (const double weight : room.weights) {
+    halves.push_back(weight / 2);
+  }
+  halves.insert(halves.end(), halves.begin(), halves.end());
+  for (std::size_t r = 0; r < rows; ++r) {
+    for_each_bit(room.matrix.row(r), [&](std::size_t c) {
+      doubled.set(r, c);
+      doubled.set(r, columns + c);
+      stacked.set(r, c);
+      stacked.set(rows + r, c);
+    });
+  }
+  const RegionCover plain = solve(room.matrix, room.weights);
+  const RegionCover with_columns = solve(doubled, halves);
+  ASSERT_EQ(with_columns.size(), plain.size());
+  for (std::size_t i = 0; i < plain.steps.size(); ++i) {
+    EXPECT_EQ(with_columns.steps[i].chosen, plain.steps[i].chosen);
+  }
+  EXPECT_EQ(solve(stacked, room.weights).size(), plain.size());
+}
+
+TEST(SimulatedAnnealing, SameSeedSameRunOtherSeedOtherRun) {
+  const reference::Room room = reference::furnished_room(8, 600, 6, 5);
+  RegionCover first = solve(room.matrix, room.weights, 3);
+  RegionCover second = solve(room.matrix, room.weights, 3);
+  RegionCover other = solve(room.matrix, room.weights, 4);
+  for (RegionCover* cover : {&first, &second, &other}) {
+    for (CoverStep& step : cover->steps) step.seconds = 0;
+  }
+  EXPECT_EQ(first.steps, second.steps);
+  EXPECT_NE(first.steps, other.steps);
+}
+
+TEST(SimulatedAnnealing, StopFlagInterrupts) {
+  const reference::Room room = reference::furnished_room(8, 600, 6, 5);
+  const CoverInstance instance(room.matrix, room.weights);
+  std::atomic<bool> stop = false;
+  CoverOptions options;
+  options.stop = &stop;
+  options.on_step = [&](const CoverStep& step) { stop = step.k == 2; };
+  EXPECT_THROW(SimulatedAnnealing().solve(instance, options), Interrupted);
+}
+
+TEST(SimulatedAnnealing, TimeLimitStillGivesAWholeCover) {
+  const reference::Room room = reference::furnished_room(16, 3000, 10, 5);
+  CoverOptions options;
+  options.time_limit_seconds = 1e-9;
+  const RegionCover cover =
+      SimulatedAnnealing().solve(CoverInstance(room.matrix, room.weights), options);
+  EXPECT_TRUE(cover.time_limit_reached);
+  expect_certificates(room.matrix, room.weights, cover);
+  EXPECT_FALSE(solve(BitRows(2, 0), {}).time_limit_reached);
+}
+
+TEST(SimulatedAnnealing, TimeLimitEndsTheSearchOfOneK) {
+  const reference::Room room = reference::furnished_room(16, 3000, 10, 5);
+  const CoverInstance instance(room.matrix, room.weights);
+  const auto evaluations = [](const RegionCover& cover) {
+    std::uint64_t sum = 0;
+    for (const CoverStep& step : cover.steps) sum += step.evaluations;
+    return sum;
+  };
+  CoverOptions options;
+  options.time_limit_seconds = 0.01;
+  const RegionCover limited = SimulatedAnnealing().solve(instance, options);
+  const RegionCover whole = SimulatedAnnealing().solve(instance, {});
+  EXPECT_TRUE(limited.time_limit_reached);
+  EXPECT_FALSE(whole.time_limit_reached);
+  // k = 2 alone takes four rounds of thirty levels; a hundredth of a second is a part of the first.
+  EXPECT_LT(evaluations(limited), whole.steps.at(1).evaluations);
+}
+
+TEST(CoverMethods, AreFoundByName) {
+  ASSERT_FALSE(cover_methods().empty());
+  for (const CoverMethodEntry& entry : cover_methods()) {
+    ASSERT_NE(make_cover_method(entry.name), nullptr);
+    EXPECT_EQ(make_cover_method(entry.name)->name(), entry.name);
+  }
+  EXPECT_EQ(make_cover_method("guess"), nullptr);
+}
+
+}  // namespace
+}  // namespace viewcover
