@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "optim/cover_state.h"
-#include "optim/random.h"
 #include "optim/search_limits.h"
+#include "scene/random_numbers.h"
 
 namespace viewcover {
 namespace {
@@ -50,7 +50,7 @@ double acceptance(double x) {
 /// The search for one number of rows.
 class Annealing {
  public:
-  Annealing(CoverState& state, Random& random, SearchLimits& limits)
+  Annealing(CoverState& state, RandomNumbers& random, SearchLimits& limits)
       : state_(state), random_(random), limits_(limits) {
     start_from(state.chosen());
     keep_if_best();
@@ -155,7 +155,7 @@ class Annealing {
     }
     if (kind < kJumpShare + kAnywhereShare) return random_.below(rows);
     const std::size_t distance = 1 + random_.below(static_cast<std::size_t>(magnitude));
-    return (old_row + (random_.next() & 1 ? distance : rows - distance)) % rows;
+    return (old_row + (random_.bits() & 1 ? distance : rows - distance)) % rows;
   }
 
   void keep_if_best() {
@@ -187,7 +187,7 @@ class Annealing {
   }
 
   CoverState& state_;
-  Random& random_;
+  RandomNumbers& random_;
   SearchLimits& limits_;
   static constexpr Benefit kUnknown = -1;
 
@@ -229,7 +229,7 @@ RegionCover SimulatedAnnealing::solve(const CoverInstance& instance,
   if (state.covers_all()) return cover;
 
   SearchLimits limits(options);
-  Random random(options.seed);
+  RandomNumbers random(options.seed);
   std::vector<Benefit> heaviest;
   for (std::size_t row = 0; row < state.row_count(); ++row) heaviest.push_back(state.gain(row));
   std::ranges::sort(heaviest, std::greater<>());
