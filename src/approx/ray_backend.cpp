@@ -120,10 +120,9 @@ Verdict RayBackend::decide(const Shaft& shaft) const {
     if (shaft.one_sided() && shaft.element().plane.side_within(from, error) <= 0) continue;
     const RoundedSegment segment(from, element.point(s, t), error);
     if (is_blocked_by(segment, shaft, occluders[last_blocker])) continue;
-    const auto blocker =
-        std::find_if(occluders.begin(), occluders.end(), [&](const ShaftOccluder& occluder) {
-          return is_blocked_by(segment, shaft, occluder);
-        });
+    const auto blocker = std::find_if(
+        occluders.begin(), occluders.end(),
+        [&](const ShaftOccluder& occluder) { return is_blocked_by(segment, shaft, occluder); });
     if (blocker == occluders.end()) return Verdict::kVisibleWitness;
     last_blocker = static_cast<std::size_t>(blocker - occluders.begin());
   }

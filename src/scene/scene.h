@@ -21,13 +21,13 @@ struct Surface {
 
 /// What was changed between the file and the scene. Reported in run.json and in one line.
 struct Repairs {
-  std::size_t welded_vertices = 0;        ///< vertices that share a lattice point with another
-  std::size_t degenerate_faces = 0;       ///< dropped: no area on the lattice
-  std::size_t duplicate_faces = 0;        ///< dropped: the same corners as an earlier face
-  std::size_t split_faces = 0;            ///< concave or keyholed, split into convex parts
-  std::size_t triangulated_faces = 0;     ///< not exactly planar on the lattice, triangulated
-  std::size_t merged_surfaces = 0;        ///< surfaces gone into a neighbour by --merge-coplanar
-  double largest_move = 0;                ///< farthest a vertex moved to the lattice, scene units
+  std::size_t welded_vertices = 0;     ///< vertices that share a lattice point with another
+  std::size_t degenerate_faces = 0;    ///< dropped: no area on the lattice
+  std::size_t duplicate_faces = 0;     ///< dropped: the same corners as an earlier face
+  std::size_t split_faces = 0;         ///< concave or keyholed, split into convex parts
+  std::size_t triangulated_faces = 0;  ///< not exactly planar on the lattice, triangulated
+  std::size_t merged_surfaces = 0;     ///< surfaces gone into a neighbour by --merge-coplanar
+  double largest_move = 0;             ///< farthest a vertex moved to the lattice, scene units
 
   bool any() const {
     return degenerate_faces + duplicate_faces + split_faces + triangulated_faces > 0;
@@ -49,7 +49,7 @@ struct Scene {
   std::vector<std::string> groups;  ///< indexed by GroupId; names as in the file, may be empty
   Lattice lattice;
   Box bounds;
-  std::size_t faces = 0;            ///< faces in the file
+  std::size_t faces = 0;  ///< faces in the file
   Repairs repairs;
 
   const Surface& operator[](SurfaceId id) const { return surfaces[id.value]; }

@@ -31,8 +31,8 @@ class AnalyticRays : public ::testing::TestWithParam<AnalyticScene> {
     const RayBackend backend({.rays = 64, .seed = seed});
     const double element_area =
         analytic_.element_area.value_or(default_element_area(loaded_.scene));
-    const LinkSet links = refine(loaded_.scene, clusters, loaded_.region, backend,
-                                 {.element_area = element_area});
+    const LinkSet links =
+        refine(loaded_.scene, clusters, loaded_.region, backend, {.element_area = element_area});
     return make_visibility_matrix(loaded_.scene, loaded_.region, links);
   }
 
