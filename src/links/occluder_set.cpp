@@ -4,7 +4,7 @@ namespace viewcover {
 
 OccluderSet::OccluderSet(const Scene& scene, const ClusterTree& clusters,
                          const ViewingRegion& region)
-    : scene_(scene), clusters_(clusters) {
+    : clusters_(clusters) {
   Box box = scene.bounds;
   for (const ConvexPolygon& part : region.parts) box.extend(bounding_box(part));
   reach_ = box.sizes().maxCoeff();

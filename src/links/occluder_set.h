@@ -12,15 +12,13 @@
 namespace viewcover {
 
 /// The surfaces of a scene as occluders, in the leaf order of its cluster tree, with their planes.
-/// Keeps references to both. Immutable, safe to share.
+/// Keeps a reference to the tree. Immutable, safe to share.
 class OccluderSet {
  public:
   /// `region`: where shafts may start.
   OccluderSet(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region);
 
-  const Scene& scene() const { return scene_; }
   const ClusterTree& clusters() const { return clusters_; }
-  std::size_t size() const { return planes_.size(); }
   /// No two coordinates of scene and region differ by more.
   double reach() const { return reach_; }
 
@@ -31,7 +29,6 @@ class OccluderSet {
   const Plane& plane(OccluderId id) const { return planes_[id.value]; }
 
  private:
-  const Scene& scene_;
   const ClusterTree& clusters_;
   // Copied in leaf order: neighbours in a shaft are neighbours in memory.
   std::vector<Point> corners_;

@@ -48,10 +48,7 @@ class Plane {
     return plane;
   }
 
-  const Point& origin() const { return a_; }
-  /// Not of unit length; rounded.
-  const Point& normal() const { return normal_; }
-  /// Side of a point, in {-1, 0, 1}, exact. Requires that `point - origin()` is exact (true on one
+  /// Side of a point, in {-1, 0, 1}, exact. Requires that `point - a` is exact (true on one
   /// lattice).
   int side(const Point& point) const {
     const Point d = point - a_;
