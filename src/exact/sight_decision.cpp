@@ -1,0 +1,109 @@
+#include "exact/sight_decision.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "exact/witness_search.h"
+
+namespace viewcover::exact {
+namespace {
+
+/// Random segments tried before the decision: enough for most pairs that see each other, and little
+/// beside a decision.
+constexpr int kRandomSegments = 16;
+
+/// Ends at the first free cell that holds a real line.
+struct FirstSightLine {
+  LinePool& pool;
+  std::optional<RealLineBracket> bracket{};
+  std::optional<LineCell> free_cell{};
+
+  bool holds_anything(const LineCell& cell) {
+    bracket = find_real_lines(pool, cell);
+    return bracket.has_value();
+  }
+  bool on_free(const LineCell& cell) {
+    free_cell = cell;
+    return true;
+  }
+};
+
+/// Does the blocker block real lines of the cell? Then its occluder meets the shaft's interior.
+bool blocks_anything(LinePool& pool, LineCell cell, const LineBlocker& blocker) {
+  std::vector<std::int8_t> signs;
+  for (const Side<6>& side : blocker.sides) {
+    bool positive = false, negative = false;
+    signs.clear();
+    for (const LineVector* ray : cell.rays()) {
+      const int sign = pool.sign_of_product(*side.functional, *ray);
+      signs.push_back(static_cast<std::int8_t>(sign));
+      positive |= sign == side.sign;
+      negative |= sign == -side.sign;
+    }
+    if (!positive) return false;
+    if (!negative) continue;
+    cell =
+        cell.part(side.functional, signs, side.sign, cell.cut_rays(pool, side.functional, signs));
+  }
+  return find_real_lines(pool, cell).has_value();
+}
+
+bool any_blocks_anything(LinePool& pool, const ShaftPart& part) {
+  return std::any_of(part.roots.begin(), part.roots.end(), [&](const LineCell& root) {
+    return std::any_of(part.blockers.begin(), part.blockers.end(), [&](const LineBlocker& blocker) {
+      return blocks_anything(pool, root, blocker);
+    });
+  });
+}
+
+}  // namespace
+
+SightAnswer decide_shaft(const ShaftPolygons& shaft) {
+  SightAnswer answer;
+  RandomNumbers random(1);
+  RandomSegments segments = try_random_segments(shaft, kRandomSegments, random);
+  bool any_blocked = segments.any_blocked;
+  answer.witness = std::move(segments.witness);
+  bool visible = answer.witness.has_value();
+  if (visible && any_blocked) {
+    answer.verdict = Verdict::kVisibleWitness;
+    return answer;
+  }
+  LinePool pool(answer.statistics);
+  bool any_part = false;
+  std::optional<std::size_t> covering;  // the occluder that covers all roots so far
+  bool one_covers = true;
+  visit_shaft_parts(pool, shaft, [&](const ShaftPart& part) {
+    any_part = true;
+    if (!visible) {
+      for (const LineCell& root : part.roots) {
+        FirstSightLine rules{pool};
+        Subtraction<6, FirstSightLine> subtraction(pool, part.blockers, rules);
+        if (subtraction.run(root)) {
+          visible = true;
+          answer.witness = witness_in_cell(shaft, part, *rules.free_cell, *rules.bracket, random,
+                                           answer.statistics);
+          break;
+        }
+        const auto cover = subtraction.covering_blocker();
+        one_covers =
+            one_covers && cover && (!covering || *covering == part.occluder_of_blocker[*cover]);
+        if (cover) covering = part.occluder_of_blocker[*cover];
+      }
+      if (!visible) {
+        any_blocked = true;  // all of this part is
+        return false;
+      }
+    }
+    if (!any_blocked) any_blocked = any_blocks_anything(pool, part);
+    return any_blocked;
+  });
+  if (visible) {
+    answer.verdict = any_blocked ? Verdict::kVisibleWitness : Verdict::kFullyVisible;
+  } else if (any_part) {
+    answer.verdict = one_covers ? Verdict::kHiddenByOne : Verdict::kHiddenBySet;
+  }
+  return answer;
+}
+
+}  // namespace viewcover::exact

@@ -1,0 +1,201 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/cell.h"
+
+namespace viewcover::exact {
+
+/// A functional or its opposite.
+template <int D>
+struct Side {
+  const LazyVector<D>* functional = nullptr;
+  int sign = 1;
+};
+
+/// A blocking cone: where all sides are >= 0. At most 64 of them.
+template <int D>
+struct Blocker {
+  std::vector<Side<D>> sides;
+};
+
+/// Subtracts blocking cones from a cell, exactly: depth first, the blocker that holds the most rays
+/// first (papers/exact.md, section 4).
+///
+/// `Rules` says what counts:
+///   bool holds_anything(const Cell<D>&): false for a cell that may be forgotten
+///   bool on_free(const Cell<D>&): called for a part that no blocker meets; true ends the search
+template <int D, class Rules>
+class Subtraction {
+ public:
+  Subtraction(VectorPool<D>& pool, std::span<const Blocker<D>> blockers, Rules& rules)
+      : pool_(pool), blockers_(blockers), rules_(rules) {}
+
+  /// True iff `on_free` ended the search.
+  bool run(const Cell<D>& root) {
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < blockers_.size(); ++i) {
+      candidates.push_back({static_cast<std::uint32_t>(i), all_sides(blockers_[i])});
+    }
+    return visit(root, candidates);
+  }
+  /// The blocker that covers the whole root, where one was found to.
+  std::optional<std::size_t> covering_blocker() const { return covering_blocker_; }
+
+ private:
+  /// A blocker that may meet a cell, and the sides that may cut it: on the others it is >= 0.
+  struct Candidate {
+    std::uint32_t blocker;
+    std::uint64_t sides;
+  };
+  static std::uint64_t all_sides(const Blocker<D>& blocker) {
+    return ~std::uint64_t{0} >> (64 - blocker.sides.size());
+  }
+
+  /// The rays of a cell, component by component: what the loop over them reads.
+  struct Table {
+    std::vector<double> components;  // D x #rays
+    std::vector<double> error, size;
+    explicit Table(const Cell<D>& cell)
+        : components(D * cell.size()), error(cell.size()), size(cell.size()) {
+      for (std::size_t i = 0; i < cell.size(); ++i) {
+        const auto& ray = cell.ray(i)->approximate();
+        for (std::size_t k = 0; k < D; ++k) components[k * cell.size() + i] = ray.x[k];
+        error[i] = ray.error;
+        size[i] = ray.size;
+      }
+    }
+  };
+
+  struct Signs {
+    std::vector<std::int8_t> of_ray;
+    bool positive = false, negative = false;
+  };
+
+  /// Signs of a side on all rays.
+  void evaluate(const Cell<D>& cell, const Table& table, const Side<D>& side, Signs& signs) {
+    const std::size_t n = cell.size();
+    const auto& f = side.functional->approximate();
+    values_.assign(n, 0);
+    for (std::size_t k = 0; k < D; ++k) {
+      const double factor = side.sign * f.x[k];
+      const double* x = table.components.data() + k * n;
+      for (std::size_t i = 0; i < n; ++i) values_[i] += factor * x[i];
+    }
+    signs.of_ray.resize(n);
+    signs.positive = signs.negative = false;
+    using Pool = VectorPool<D>;
+    std::size_t unsure = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double bound = Pool::bound(f.size, f.error, table.size[i], table.error[i], Pool::kUnit);
+      const int sign = (values_[i] > bound) - (values_[i] < -bound);
+      signs.of_ray[i] = static_cast<std::int8_t>(sign);
+      signs.positive |= sign > 0;
+      signs.negative |= sign < 0;
+      unsure += sign == 0;
+    }
+    pool_.statistics().filtered_signs += n - unsure;
+    if (unsure == 0) return;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (signs.of_ray[i] != 0 || cell.is_known_zero(i, side.functional)) continue;
+      const int sign = side.sign * pool_.exact_sign(*side.functional, *cell.ray(i));
+      signs.of_ray[i] = static_cast<std::int8_t>(sign);
+      signs.positive |= sign > 0;
+      signs.negative |= sign < 0;
+    }
+  }
+
+  bool visit(const Cell<D>& cell, std::span<const Candidate> candidates) {
+    ++pool_.statistics().cells;
+    if (!rules_.holds_anything(cell)) return false;
+    const std::size_t n = cell.size();
+    const Table table(cell);
+    std::vector<Candidate> left;
+    std::size_t best = 0, most = 0;
+    Signs signs;
+    std::vector<bool> outside;
+    for (Candidate candidate : candidates) {
+      const Blocker<D>& blocker = blockers_[candidate.blocker];
+      outside.assign(n, false);
+      bool meets = true;
+      for (std::uint64_t sides = candidate.sides; sides != 0 && meets; sides &= sides - 1) {
+        const int k = std::countr_zero(sides);
+        evaluate(cell, table, blocker.sides[static_cast<std::size_t>(k)], signs);
+        meets = signs.positive;
+        if (!signs.negative) candidate.sides &= ~(std::uint64_t{1} << k);
+        for (std::size_t i = 0; i < n; ++i) {
+          if (signs.of_ray[i] < 0) outside[i] = true;
+        }
+      }
+      if (!meets) continue;
+      if (candidate.sides == 0) {  // it covers the cell
+        if (!cut_) covering_blocker_ = candidate.blocker;
+        return false;
+      }
+      const auto inside =
+          n - static_cast<std::size_t>(std::count(outside.begin(), outside.end(), true));
+      if (left.empty() || inside > most) {
+        best = left.size();
+        most = inside;
+      }
+      left.push_back(candidate);
+    }
+    if (left.empty()) return rules_.on_free(cell);
+
+    const Candidate chosen = left[best];
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+    return subtract(cell, chosen, left);
+  }
+
+  /// Visits what the chosen blocker leaves of the cell: one part for each side that cuts it.
+  bool subtract(Cell<D> cell, Candidate chosen, std::span<const Candidate> others) {
+    const Blocker<D>& blocker = blockers_[chosen.blocker];
+    Signs signs, best_signs;
+    while (true) {
+      const Table table(cell);
+      const Side<D>* best = nullptr;
+      std::size_t most = 0;
+      for (std::uint64_t sides = chosen.sides; sides != 0; sides &= sides - 1) {
+        const int k = std::countr_zero(sides);
+        const Side<D>& side = blocker.sides[static_cast<std::size_t>(k)];
+        evaluate(cell, table, side, signs);
+        if (!signs.positive) return visit(cell, others);  // what is left lies outside
+        if (!signs.negative) {
+          chosen.sides &= ~(std::uint64_t{1} << k);
+          continue;
+        }
+        const auto outside = static_cast<std::size_t>(
+            std::count(signs.of_ray.begin(), signs.of_ray.end(), std::int8_t{-1}));
+        if (best == nullptr || outside > most) {
+          best = &side;
+          most = outside;
+          best_signs = signs;
+        }
+      }
+      if (best == nullptr) return false;  // the rest is blocked
+      ++pool_.statistics().splits;
+      cut_ = true;
+      auto& s = best_signs.of_ray;
+      if (best->sign < 0) {
+        for (std::int8_t& sign : s) sign = static_cast<std::int8_t>(-sign);
+      }
+      const auto made = cell.cut_rays(pool_, best->functional, s);
+      const Cell<D> outside = cell.part(best->functional, s, -best->sign, made);
+      cell = cell.part(best->functional, s, best->sign, made);
+      if (visit(outside, others)) return true;
+    }
+  }
+
+  VectorPool<D>& pool_;
+  std::span<const Blocker<D>> blockers_;
+  Rules& rules_;
+  std::vector<double> values_;
+  bool cut_ = false;  // the root was cut
+  std::optional<std::size_t> covering_blocker_;
+};
+
+}  // namespace viewcover::exact

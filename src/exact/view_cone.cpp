@@ -1,0 +1,234 @@
+#include "exact/view_cone.h"
+
+#include <algorithm>
+
+#include "exact/double_description.h"
+#include "exact/integer_geometry.h"
+#include "exact/subtraction.h"
+
+namespace viewcover::exact {
+namespace {
+
+using Rational = CGAL::Gmpq;
+using Direction = LazyVector<3>;
+using DirectionPool = VectorPool<3>;
+using DirectionCell = Cell<3>;
+using Components = std::array<BigInteger, 3>;
+using Plane = IntegerPlane<BigInteger>;
+using Polygon = std::vector<HomogeneousPoint<BigInteger>>;
+
+Rational fraction(const BigInteger& numerator, const BigInteger& denominator) {
+  return Rational(numerator, denominator);
+}
+
+/// Collects free cells.
+struct AllFreeCells {
+  std::vector<DirectionCell> cells{};
+  bool holds_anything(const DirectionCell& /*cell*/) { return true; }
+  bool on_free(const DirectionCell& cell) {
+    cells.push_back(cell);
+    return false;
+  }
+};
+
+/// Element and occluders relative to the viewpoint, all in integers, times the viewpoint's weight.
+class ViewCone {
+ public:
+  ViewCone(std::span<const Point> support, std::span<const double> weights,
+           std::span<const Point> element, std::span<const std::span<const Point>> occluders,
+           ExactStatistics& statistics)
+      : occluder_points_(occluders), pool_(statistics) {
+    frame_.include(support);
+    frame_.include(element);
+    for (const std::span<const Point> occluder : occluders) frame_.include(occluder);
+    frame_.set_origin(element[0]);
+    locate(support, weights);
+    element_ = relative(element);
+  }
+
+  ViewOfElement run() {
+    ViewOfElement view;
+    Plane plane(element_);
+    if (sign(plane.offset) == 0) {
+      view.edge_on = true;
+      return view;
+    }
+    // All directions toward the element cross its plane to the front.
+    if (sign(plane.offset) < 0) plane.reverse();
+    std::vector<const Direction*> corners;
+    for (const auto& corner : element_) corners.push_back(pool_.add(Role::kRay, corner.x));
+    const DirectionCell root = *cone_of<3>(pool_, corners);
+    view.fully = true;
+    std::vector<Blocker<3>> blockers;
+    for (const std::span<const Point> points : occluder_points_) {
+      const Polygon polygon = relative(points);
+      const Plane occluder(polygon);
+      if (sign(occluder.offset) == 0) {
+        view.fully = view.fully && !meets_inside(root, polygon, plane);
+      } else {
+        add_blockers(polygon, occluder, plane, blockers);
+      }
+    }
+    AllFreeCells rules;
+    const auto cells_before = pool_.statistics().cells;
+    Subtraction<3, AllFreeCells>(pool_, blockers, rules).run(root);
+    view.hidden_by_one = rules.cells.empty() && pool_.statistics().cells == cells_before + 1;
+    const Rational whole = projected_area(polygon_of(root, plane), plane);
+    for (const DirectionCell& cell : rules.cells) {
+      RationalPolygon part = polygon_of(cell, plane);
+      view.visible_fraction += projected_area(part, plane);
+      view.visible_parts.push_back(absolute(std::move(part)));
+    }
+    view.visible_fraction /= whole;
+    view.fully = view.fully && view.visible_fraction == 1;
+    return view;
+  }
+
+ private:
+  void locate(std::span<const Point> support, std::span<const double> weights) {
+    IntegerFrame weight_frame;
+    std::vector<Point> weight_points;
+    for (const double weight : weights) weight_points.emplace_back(weight, 0, 0);
+    weight_frame.include(weight_points);
+    viewpoint_ = {BigInteger(0), BigInteger(0), BigInteger(0)};
+    weight_ = BigInteger(0);
+    for (std::size_t i = 0; i < support.size(); ++i) {
+      const BigInteger weight = weight_frame.operator()<BigInteger>(weight_points[i])[0];
+      const auto point = frame_.operator()<BigInteger>(support[i]);
+      for (std::size_t k = 0; k < 3; ++k) viewpoint_[k] += weight * point[k];
+      weight_ += weight;
+    }
+  }
+
+  Polygon relative(std::span<const Point> points) const {
+    Polygon result;
+    for (const Point& point : points) {
+      const auto x = frame_.operator()<BigInteger>(point);
+      result.push_back({weight_ * x - viewpoint_, BigInteger(1)});
+    }
+    return result;
+  }
+
+  /// The occluder, if it can block at all: it does where a direction passes all edges on the inner
+  /// side and the element lies behind the occluder's plane, seen from the viewpoint.
+  void add_blockers(const Polygon& polygon, const Plane& occluder, const Plane& plane,
+                    std::vector<Blocker<3>>& blockers) {
+    const Sides sides = Sides::of<BigInteger>(occluder, element_);
+    const int near = -sign(occluder.offset);
+    if (!(near > 0 ? sides.back : sides.front)) return;
+    const Direction* behind = nullptr;
+    if (sides.front && sides.back) {
+      // Where the direction d meets the element's plane, d offset / (normal . d), the occluder's
+      // plane has this value, times normal . d > 0.
+      behind = pool_.add(Role::kFunctional,
+                         plane.offset * occluder.normal - occluder.offset * plane.normal);
+    }
+    std::vector<const Direction*> edges;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      edges.push_back(
+          pool_.add(Role::kFunctional, cross(polygon[k].x, polygon[(k + 1) % polygon.size()].x)));
+    }
+    // Pieces of at most 60 edges, cut by planes through the first corner.
+    constexpr std::size_t kMostEdges = 60;
+    const std::size_t n = polygon.size();
+    for (std::size_t first = 0; first < n; first += kMostEdges) {
+      Blocker<3>& blocker = blockers.emplace_back();
+      const std::size_t last = std::min(first + kMostEdges, n);
+      for (std::size_t k = first; k < last; ++k) blocker.sides.push_back({edges[k], -near});
+      const auto add_diagonal = [&](std::size_t from, std::size_t to) {
+        blocker.sides.push_back(
+            {pool_.add(Role::kFunctional, cross(polygon[from].x, polygon[to].x)), -near});
+      };
+      if (first > 0) add_diagonal(0, first);
+      if (last < n) add_diagonal(last, 0);
+      if (behind != nullptr) blocker.sides.push_back({behind, -near});
+    }
+  }
+
+  /// Does a polygon seen edge-on meet the interior of the cone between viewpoint and element? What
+  /// is left of it after closed cuts at all sides does, iff it touches none of them all along.
+  bool meets_inside(const DirectionCell& root, Polygon polygon, const Plane& plane) {
+    Plane beyond = plane;  // the element's side of the plane is not inside
+    beyond.reverse();
+    std::vector<Plane> bounds = {beyond};
+    for (const Direction* facet : root.facets()) {
+      if (facet == nullptr) continue;
+      Plane bound = plane;
+      bound.normal = pool_.exact(*facet);
+      bound.offset = BigInteger(0);
+      bounds.push_back(bound);
+    }
+    for (const Plane& bound : bounds) {
+      const Sides sides = Sides::of<BigInteger>(bound, polygon);
+      if (!sides.front) return false;
+      if (sides.back) polygon = cut_polygon<BigInteger>(polygon, bound, 1);
+    }
+    return std::all_of(bounds.begin(), bounds.end(), [&](const Plane& bound) {
+      return Sides::of<BigInteger>(bound, polygon).front;
+    });
+  }
+
+  /// Where the cell's rays meet the element's plane, in order round the boundary.
+  RationalPolygon polygon_of(const DirectionCell& cell, const Plane& plane) {
+    RationalPolygon result;
+    std::vector<bool> used(cell.size(), false);
+    std::size_t at = 0;
+    for (std::size_t count = 0; count < cell.size(); ++count) {
+      used[at] = true;
+      const Components& d = pool_.exact(*cell.ray(at));
+      const BigInteger below = dot(plane.normal, d);
+      result.push_back({fraction(plane.offset * d[0], below), fraction(plane.offset * d[1], below),
+                        fraction(plane.offset * d[2], below)});
+      for (std::size_t next = 0; next < cell.size(); ++next) {
+        if (!used[next] && cell.are_adjacent(at, next)) {
+          at = next;
+          break;
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Twice the area, seen along the axis in which the plane's normal is largest.
+  static Rational projected_area(const RationalPolygon& polygon, const Plane& plane) {
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (CGAL::abs(plane.normal[k]) > CGAL::abs(plane.normal[axis])) axis = k;
+    }
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Rational sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const RationalPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      sum += a[u] * b[v] - a[v] * b[u];
+    }
+    return CGAL::abs(sum);
+  }
+
+  /// Back to scene units.
+  RationalPolygon absolute(RationalPolygon polygon) const {
+    for (RationalPoint& point : polygon) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        point[k] = frame_.absolute((point[k] + Rational(viewpoint_[k])) / Rational(weight_), k);
+      }
+    }
+    return polygon;
+  }
+
+  std::span<const std::span<const Point>> occluder_points_;
+  DirectionPool pool_;
+  IntegerFrame frame_;
+  Components viewpoint_;
+  BigInteger weight_;
+  Polygon element_;
+};
+
+}  // namespace
+
+ViewOfElement view_element(std::span<const Point> support, std::span<const double> weights,
+                           std::span<const Point> element,
+                           std::span<const std::span<const Point>> occluders,
+                           ExactStatistics& statistics) {
+  return ViewCone(support, weights, element, occluders, statistics).run();
+}
+
+}  // namespace viewcover::exact
