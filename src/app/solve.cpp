@@ -109,7 +109,7 @@ int solve(const SolveOptions& options) {
     const RegionCover cover = choose_regions(matrix, options);
     seconds.cover = covering.seconds();
 
-    const Solution solution{scene, clusters, region, links, matrix, cover};
+    const Solution solution{scene, clusters, region, links, matrix, cover, backend->statistics()};
     bundle.write(solution);
     stop_if_interrupted();
     seconds.total = total.seconds();

@@ -25,7 +25,7 @@ class RayBackend final : public VisibilityBackend {
 
   std::string_view name() const override { return "rays"; }
   Guarantee guarantee() const override { return Guarantee::kVisibleIsCertain; }
-  Verdict decide(const Shaft& shaft) const override;
+  Verdict decide(const Shaft& shaft, Effort effort) const override;
 
  private:
   RayOptions options_;

@@ -58,19 +58,10 @@ bool any_blocks_anything(LinePool& pool, const ShaftPart& part) {
 
 }  // namespace
 
-SightAnswer decide_shaft(const ShaftPolygons& shaft) {
-  SightAnswer answer;
-  RandomNumbers random(1);
-  RandomSegments segments = try_random_segments(shaft, kRandomSegments, random);
-  bool any_blocked = segments.any_blocked;
-  answer.witness = std::move(segments.witness);
-  bool visible = answer.witness.has_value();
-  if (visible && any_blocked) {
-    answer.verdict = Verdict::kVisibleWitness;
-    return answer;
-  }
-  LinePool pool(answer.statistics);
-  bool any_part = false;
+Verdict decide_by_cells(LinePool& pool, const ShaftPolygons& shaft, const DecisionOptions& options,
+                        const OnFreeCell& on_free) {
+  bool visible = options.known_visible, blocked = options.known_blocked;
+  bool any_part = false, gave_up = false;
   std::optional<std::size_t> covering;  // the occluder that covers all roots so far
   bool one_covers = true;
   visit_shaft_parts(pool, shaft, [&](const ShaftPart& part) {
@@ -78,31 +69,51 @@ SightAnswer decide_shaft(const ShaftPolygons& shaft) {
     if (!visible) {
       for (const LineCell& root : part.roots) {
         FirstSightLine rules{pool};
-        Subtraction<6, FirstSightLine> subtraction(pool, part.blockers, rules);
-        if (subtraction.run(root)) {
+        Subtraction<6, FirstSightLine> subtraction(pool, part.blockers, rules, options.most_cells);
+        const auto outcome = subtraction.run(root);
+        if (outcome == SubtractionOutcome::kEnded) {
           visible = true;
-          answer.witness = witness_in_cell(shaft, part, *rules.free_cell, *rules.bracket, random,
-                                           answer.statistics);
+          if (!options.may_be_blocked) on_free(part, *rules.free_cell, *rules.bracket);
           break;
         }
+        gave_up = outcome == SubtractionOutcome::kGaveUp;
+        if (gave_up) return true;
         const auto cover = subtraction.covering_blocker();
         one_covers =
             one_covers && cover && (!covering || *covering == part.occluder_of_blocker[*cover]);
         if (cover) covering = part.occluder_of_blocker[*cover];
       }
       if (!visible) {
-        any_blocked = true;  // all of this part is
+        blocked = true;  // all of this part is
         return false;
       }
     }
-    if (!any_blocked) any_blocked = any_blocks_anything(pool, part);
-    return any_blocked;
+    if (options.may_be_blocked) return true;
+    if (!blocked) blocked = any_blocks_anything(pool, part);
+    return blocked;
   });
-  if (visible) {
-    answer.verdict = any_blocked ? Verdict::kVisibleWitness : Verdict::kFullyVisible;
-  } else if (any_part) {
-    answer.verdict = one_covers ? Verdict::kHiddenByOne : Verdict::kHiddenBySet;
+  if (gave_up || (visible && options.may_be_blocked)) return Verdict::kAssumedVisible;
+  if (visible) return blocked ? Verdict::kVisibleWitness : Verdict::kFullyVisible;
+  if (!any_part) return Verdict::kHiddenNotFacing;
+  return one_covers ? Verdict::kHiddenByOne : Verdict::kHiddenBySet;
+}
+
+SightAnswer decide_shaft(const ShaftPolygons& shaft) {
+  SightAnswer answer;
+  RandomNumbers random(1);
+  RandomSegments segments = try_random_segments(shaft, kRandomSegments, random);
+  answer.witness = std::move(segments.witness);
+  if (answer.witness && segments.any_blocked) {
+    answer.verdict = Verdict::kVisibleWitness;
+    return answer;
   }
+  LinePool pool(answer.statistics);
+  answer.verdict = decide_by_cells(
+      pool, shaft,
+      {.known_visible = answer.witness.has_value(), .known_blocked = segments.any_blocked},
+      [&](const ShaftPart& part, const LineCell& cell, const RealLineBracket& bracket) {
+        answer.witness = witness_in_cell(shaft, part, cell, bracket, random, answer.statistics);
+      });
   return answer;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,12 @@ struct Blocker {
   std::vector<Side<D>> sides;
 };
 
+enum class SubtractionOutcome {
+  kDone,    ///< everything was looked at
+  kEnded,   ///< `on_free` ended the search
+  kGaveUp,  ///< more cells than allowed
+};
+
 /// Subtracts blocking cones from a cell, exactly: depth first, the blocker that holds the most rays
 /// first (papers/exact.md, section 4).
 ///
@@ -32,16 +39,19 @@ struct Blocker {
 template <int D, class Rules>
 class Subtraction {
  public:
-  Subtraction(VectorPool<D>& pool, std::span<const Blocker<D>> blockers, Rules& rules)
-      : pool_(pool), blockers_(blockers), rules_(rules) {}
+  Subtraction(VectorPool<D>& pool, std::span<const Blocker<D>> blockers, Rules& rules,
+              std::uint64_t most_cells = std::numeric_limits<std::uint64_t>::max())
+      : pool_(pool), blockers_(blockers), rules_(rules), cells_left_(most_cells) {}
 
-  /// True iff `on_free` ended the search.
-  bool run(const Cell<D>& root) {
+  SubtractionOutcome run(const Cell<D>& root) {
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < blockers_.size(); ++i) {
       candidates.push_back({static_cast<std::uint32_t>(i), all_sides(blockers_[i])});
     }
-    return visit(root, candidates);
+    const bool ended = visit(root, candidates);
+    return gave_up_ ? SubtractionOutcome::kGaveUp
+           : ended  ? SubtractionOutcome::kEnded
+                    : SubtractionOutcome::kDone;
   }
   /// The blocker that covers the whole root, where one was found to.
   std::optional<std::size_t> covering_blocker() const { return covering_blocker_; }
@@ -109,7 +119,10 @@ class Subtraction {
     }
   }
 
+  /// True to end the search.
   bool visit(const Cell<D>& cell, std::span<const Candidate> candidates) {
+    if (cells_left_ == 0) return gave_up_ = true;
+    --cells_left_;
     ++pool_.statistics().cells;
     if (!rules_.holds_anything(cell)) return false;
     const std::size_t n = cell.size();
@@ -194,6 +207,8 @@ class Subtraction {
   std::span<const Blocker<D>> blockers_;
   Rules& rules_;
   std::vector<double> values_;
+  std::uint64_t cells_left_;
+  bool gave_up_ = false;
   bool cut_ = false;  // the root was cut
   std::optional<std::size_t> covering_blocker_;
 };

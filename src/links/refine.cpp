@@ -208,21 +208,24 @@ class Refinement {
       links.count(Verdict::kHiddenByOne);
       return true;
     }
+    const bool finest = is_finest(region, element);
     Verdict verdict = Verdict::kFullyVisible;
     if (!kept.empty()) {
       shaft.set_occluders(kept);
-      verdict = backend_.decide(shaft);
-      if (!is_visible(verdict)) {
-        links.count(verdict);
-        return true;
+      verdict = backend_.decide(shaft, finest && all_open(kept) ? Effort::kFull : Effort::kCheap);
+      if (verdict == Verdict::kFullyVisible) kept.clear();
+      if (finest && is_visible(verdict) && !all_open(kept)) {
+        verdict = open_all(shaft, kept, verdict);
+        shaft.set_occluders(kept);
+        if (verdict == Verdict::kAssumedVisible) verdict = backend_.decide(shaft, Effort::kFull);
       }
-      if (!is_finest(region, element)) return false;
-      verdict = open_all(shaft, kept, verdict);
       if (!is_visible(verdict)) {
         links.count(verdict);
         return true;
       }
     }
+    // Full visibility holds for all parts, unless some of the region is behind the element.
+    if (!finest && !(verdict == Verdict::kFullyVisible && shaft.is_wholly_facing())) return false;
     SmallList<OccluderId, 96> list;
     for (const ShaftOccluder& occluder : kept) {
       list.emplace_back(clusters_.nodes()[occluder.node].first);
@@ -231,16 +234,18 @@ class Refinement {
     return true;
   }
 
+  bool all_open(Candidates occluders) const {
+    return std::all_of(occluders.begin(), occluders.end(), [&](const ShaftOccluder& occluder) {
+      return clusters_.nodes()[occluder.node].is_leaf();
+    });
+  }
+
   /// Opens the clusters among the occluders of a shaft that is about to become a link. What that
   /// proves takes the place of `verdict`.
   Verdict open_all(const Shaft& shaft, ShaftOccluders& kept, Verdict verdict) const {
-    const auto is_surface = [&](const ShaftOccluder& occluder) {
-      return clusters_.nodes()[occluder.node].is_leaf();
-    };
-    if (std::all_of(kept.begin(), kept.end(), is_surface)) return verdict;
     ShaftOccluders surfaces, opened;
     for (const ShaftOccluder& occluder : kept) {
-      if (is_surface(occluder)) {
+      if (clusters_.nodes()[occluder.node].is_leaf()) {
         surfaces.push_back(occluder);
       } else {
         if (cull(shaft, {&occluder, 1}, kOpenAll, opened)) return Verdict::kHiddenByOne;

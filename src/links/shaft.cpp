@@ -18,6 +18,7 @@ Shaft::Shaft(const OccluderSet& occluders, RegionAddress region_address,
       far_(element.polygon.begin(), element.polygon.end()) {
   const Sides of_region = add_support_planes(element, region.polygon);
   facing_ = one_sided ? of_region.front : !of_region.none_off();
+  wholly_facing_ = facing_ && !(one_sided && of_region.back);
   if (facing_) add_support_planes(region, far_);
 }
 
@@ -90,19 +91,52 @@ Shaft::Meets Shaft::meets(ShaftOccluder& occluder) const {
     }
   }
   using Separates = ShaftOccluder::Separates;
+  const Plane& plane = occluders_->plane(id);
+  bool may_block = true;
   if (occluder.separates == Separates::kNotKnown) {
-    const Plane& plane = occluders_->plane(id);
     const Sides near = sides(plane, region_->polygon);
     const Sides far = sides(plane, far_);
     if (near.none_off() || (element_ != nullptr && far.none_off())) return Meets::kNo;  // coplanar
     if (!(near.front || far.front) || !(near.back || far.back)) return Meets::kNo;  // on one side
-    if ((near.front && near.back) || (far.front && far.back)) return Meets::kMaybe;
     // A box may hold elements in the occluder's own plane, which it does not hide.
-    if (element_ == nullptr && far.on) return Meets::kMaybe;
-    occluder.separates = near.front ? Separates::kRegionInFront : Separates::kRegionBehind;
+    if ((near.front && near.back) || (far.front && far.back) || (element_ == nullptr && far.on)) {
+      may_block = false;
+    } else {
+      occluder.separates = near.front ? Separates::kRegionInFront : Separates::kRegionBehind;
+    }
   }
-  const bool blocks = blocks_all(polygon, occluder.separates == Separates::kRegionInFront);
-  return blocks ? Meets::kBlocksAll : Meets::kMaybe;
+  if (may_block && blocks_all(polygon, occluder.separates == Separates::kRegionInFront)) {
+    return Meets::kBlocksAll;
+  }
+  return element_ != nullptr && passes_outside(polygon, plane) ? Meets::kNo : Meets::kMaybe;
+}
+
+bool Shaft::passes_outside(std::span<const Point> occluder, const Plane& plane) const {
+  // The shaft's section with the occluder's plane is the hull of the points where lines between
+  // corners on either side cross it. Two convex polygons in a plane are apart, but for contact, iff
+  // one lies outside an edge of the other: the section's edges are in the shaft's planes.
+  SmallList<const Point*, 16> front, back;
+  const auto sort = [&](std::span<const Point> corners) {
+    for (const Point& corner : corners) {
+      const int side = plane.side(corner);
+      if (side >= 0) front.push_back(&corner);
+      if (side <= 0) back.push_back(&corner);
+    }
+  };
+  sort(region_->polygon);
+  sort(far_);
+  const std::size_t n = occluder.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point &a = occluder[k], &b = occluder[k + 1 < n ? k + 1 : 0];
+    bool outside = true;
+    for (auto x = front.begin(); x != front.end() && outside; ++x) {
+      for (auto y = back.begin(); y != back.end() && outside; ++y) {
+        outside = orientation(a, b, **x, **y) >= 0;
+      }
+    }
+    if (outside) return true;
+  }
+  return false;
 }
 
 bool Shaft::blocks_all(std::span<const Point> occluder, bool region_in_front) const {

@@ -43,6 +43,8 @@ class Shaft {
   /// Can the region see the element at all, whatever is between? False iff they are coplanar, or
   /// the whole region is behind a one-sided element. Exact.
   bool is_facing() const { return facing_; }
+  /// False if part of the region is behind a one-sided element. Exact.
+  bool is_wholly_facing() const { return wholly_facing_; }
 
   /// The occluders left in the shaft, as set by `set_occluders`.
   std::span<const ShaftOccluder> occluders() const { return left_; }
@@ -54,8 +56,9 @@ class Shaft {
   bool box_overlaps(const Box& box) const;
 
   enum class Meets { kNo, kMaybe, kBlocksAll };
-  /// kNo only if the occluder does not meet the open shaft, kBlocksAll only if it alone meets
-  /// every sight line; both exact. Between two-sided polygons kBlocksAll is complete too.
+  /// kNo iff the occluder does not meet the open shaft, kBlocksAll only if it alone meets every
+  /// sight line; both exact. Between two-sided polygons kBlocksAll is complete too; toward a box kNo
+  /// may be missed.
   /// `occluder` is a surface; what is found out about its plane is noted in it.
   Meets meets(ShaftOccluder& occluder) const;
 
@@ -75,6 +78,8 @@ class Shaft {
   /// Adds the planes through `base` or an edge of it that have the whole shaft behind them.
   Sides add_support_planes(const PlanarPolygon& base, std::span<const Point> far);
   bool blocks_all(std::span<const Point> occluder, bool region_in_front) const;
+  /// Does the shaft pass the occluder outside one of its edges?
+  bool passes_outside(std::span<const Point> occluder, const Plane& plane) const;
 
   const OccluderSet* occluders_;
   const PlanarPolygon* region_ = nullptr;
@@ -83,6 +88,7 @@ class Shaft {
   ElementAddress element_address_;
   bool one_sided_ = false;
   bool facing_ = true;
+  bool wholly_facing_ = true;
   Box box_;
   SmallList<Point, 8> far_;      // corners of the element or the box
   SmallList<Plane, 12> planes_;  // outside is in front

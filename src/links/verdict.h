@@ -9,8 +9,8 @@ namespace viewcover {
 /// What is known about a shaft, and how (a verdict says how it is known).
 enum class Verdict : std::uint8_t {
   kFullyVisible,          ///< no occluder meets the shaft
-  kVisibleWitness,        ///< some occluder is in the shaft, and a free sight line was found
-  kAssumedVisible,        ///< at the subdivision limit, nothing proves it hidden
+  kVisibleWitness,        ///< a free sight line was found; occluders may be in the shaft
+  kAssumedVisible,        ///< nothing proves it hidden
   kHiddenNotFacing,       ///< region and element are coplanar, or the region is behind a one-sided
                           ///< element
   kHiddenByOne,           ///< one occluder blocks the whole shaft (exact)

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "links/verdict.h"
 
@@ -14,13 +18,22 @@ enum class Guarantee {
   kExact,             ///< every verdict is a theorem
 };
 
+/// How hard a backend must try.
+enum class Effort {
+  kCheap,  ///< the shaft is subdivided unless it is hidden or fully visible: a backend may leave
+           ///< it open and say kAssumedVisible
+  kFull,   ///< at the subdivision limit: the verdict goes into the visibility matrix. Only surfaces
+           ///< are left in the shaft, no unopened clusters
+};
+
 /// Decides whether any sight line is left between a region and an element when several occluders
 /// are in the shaft: the one question that refinement asks (paper, figure 4).
 ///
 /// Properties, checked by tests/conformance for every backend:
 ///  (1) decide(s) == decide(s) whatever the thread or the order of calls
 ///  (2) kHidden... from a backend whose guarantee() is kExact is a theorem
-///  (3) a visible verdict is never given for a hidden pair
+///  (3) a visible verdict is never given for a hidden pair; kAssumedVisible is none
+///  (4) kAssumedVisible is never the answer to kFull
 /// Thread-safety: concurrent calls on one object are allowed.
 class VisibilityBackend {
  public:
@@ -31,7 +44,11 @@ class VisibilityBackend {
   virtual Guarantee guarantee() const = 0;
 
   /// Requires at least one occluder left in the shaft.
-  virtual Verdict decide(const Shaft& shaft) const = 0;
+  virtual Verdict decide(const Shaft& shaft, Effort effort) const = 0;
+
+  /// Counts that tell how decisions were reached, by name, since the backend was made; the same for
+  /// any number of threads.
+  virtual std::vector<std::pair<std::string, std::uint64_t>> statistics() const { return {}; }
 
  protected:
   VisibilityBackend() = default;

@@ -69,6 +69,9 @@ void add_results(Json& record, const Solution& solution, const RunSeconds& secon
     verdicts[std::string(name(verdict))] = solution.links.verdicts(verdict);
   }
   record["verdicts"] = verdicts;
+  Json statistics = Json::object();
+  for (const auto& [what, count] : solution.backend_statistics) statistics[what] = count;
+  record["backend_statistics"] = statistics;
   std::vector<std::size_t> chosen = solution.chosen();
   for (std::size_t& region : chosen) ++region;
   record["results"] = {{"regions", solution.region.region_count()},

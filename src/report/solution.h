@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "links/link_set.h"
 #include "links/visibility_matrix.h"
 #include "optim/region_cover.h"
@@ -17,6 +22,7 @@ struct Solution {
   const LinkSet& links;
   const VisibilityMatrix& matrix;
   const RegionCover& cover;
+  std::vector<std::pair<std::string, std::uint64_t>> backend_statistics{};
 
   /// Row numbers of the cover, ascending.
   std::vector<std::size_t> chosen() const {

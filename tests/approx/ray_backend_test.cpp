@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "approx/sampling.h"
+#include "links/sampling.h"
 #include "support/shaft_case.h"
 
 namespace viewcover {
@@ -23,7 +23,7 @@ Verdict decide(const ShaftCase& c, const RayOptions& options, std::size_t number
   if (cull(shaft, {&everything, 1}, kOpenAll, kept)) return Verdict::kHiddenByOne;
   if (kept.empty()) return Verdict::kFullyVisible;
   shaft.set_occluders(kept);
-  return RayBackend(options).decide(shaft);
+  return RayBackend(options).decide(shaft, Effort::kFull);
 }
 
 const ConvexPolygon kSource = horizontal(-0.5, -0.5, 0.5, 0.5, 0);
@@ -178,7 +178,7 @@ TEST(RayBackend, LooksOnlyFromTheFrontOfAOneSidedElement) {
   for (const bool one_sided : {false, true}) {
     Shaft shaft = c.shaft(one_sided);
     shaft.set_occluders(all);
-    EXPECT_EQ(is_visible(RayBackend({.rays = 1000}).decide(shaft)), !one_sided);
+    EXPECT_EQ(is_visible(RayBackend({.rays = 1000}).decide(shaft, Effort::kFull)), !one_sided);
   }
 }
 
@@ -199,9 +199,9 @@ TEST(RayBackend, LooksIntoClustersThatWereNotOpened) {
     if (cull(shaft, {&everything, 1}, kOpenAll, kept) || kept.empty()) continue;
     const RayBackend backend({.rays = 16});
     shaft.set_occluders(kept);
-    const Verdict opened = backend.decide(shaft);
+    const Verdict opened = backend.decide(shaft, Effort::kFull);
     shaft.set_occluders({&everything, 1});
-    EXPECT_EQ(backend.decide(shaft), opened);
+    EXPECT_EQ(backend.decide(shaft, Effort::kFull), opened);
     (is_visible(opened) ? visible : hidden)++;
   }
   EXPECT_GT(visible, 20);

@@ -1,4 +1,4 @@
-#include "approx/sampling.h"
+#include "links/sampling.h"
 
 #include <bit>
 #include <cmath>

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "links/shaft.h"
+
+namespace viewcover {
+
+struct SegmentOptions {
+  int most = 16;            ///< segments tried, at least 1
+  std::uint64_t seed = 1;   ///< of the run; a shaft's generator depends on it and both addresses
+  bool stratified = false;  ///< Latin hypercube samples instead of independent ones
+};
+
+struct SegmentCounts {
+  int free = 0;     ///< sight lines, certain
+  int blocked = 0;  ///< blocked, or too near an occluder to tell
+};
+
+/// Random segments between the region and the element of a shaft (paper, section 3), until one is
+/// free.
+///
+/// A segment counts as free only if it misses every occluder by more than rounding could hide, in
+/// clusters that were not opened too: free is certain. Requires an occluder left in the shaft.
+/// Cost: segments x occluders. Thread-safe; the same for the same seed and addresses.
+SegmentCounts try_random_segments(const Shaft& shaft, const SegmentOptions& options);
+
+}  // namespace viewcover
