@@ -1,14 +1,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "exact/vector_pool.h"
+#include "scene/small_list.h"
 
 namespace viewcover::exact {
+
+/// Room for the rays of most cells without allocation.
+inline constexpr std::size_t kUsualRays = 40;
 
 /// A pointed polyhedral cone of full dimension D, as its extreme rays and, for each ray, the set of
 /// inequalities that it satisfies with equality. Those inequalities contain all facets; some may
@@ -21,9 +26,9 @@ class Cell {
 
   std::size_t size() const { return rays_.size(); }
   const Vector* ray(std::size_t i) const { return rays_[i]; }
-  std::span<const Vector* const> rays() const { return rays_; }
+  std::span<const Vector* const> rays() const { return {rays_.data(), rays_.size()}; }
   /// The inequalities as functionals, nullptr where a place is free.
-  std::span<const Vector* const> facets() const { return facets_; }
+  std::span<const Vector* const> facets() const { return {facets_.data(), facets_.size()}; }
 
   std::span<const Word> tight(std::size_t i) const { return {tight_.data() + i * words_, words_}; }
   bool is_tight(std::size_t i, std::size_t facet) const {
@@ -61,9 +66,17 @@ class Cell {
   /// Rays i and j span a face of dimension 2: the inequalities tight at both are at least D - 2 and
   /// not all tight at a third ray (Motzkin et al. 1953; Fukuda and Prodon 1996).
   bool are_adjacent(std::size_t i, std::size_t j) const {
-    int common = 0;
-    for (std::size_t w = 0; w < words_; ++w) common += std::popcount(tight(i)[w] & tight(j)[w]);
-    if (common < D - 2) return false;
+    if (words_ == 1) {
+      const Word common = tight_[i] & tight_[j];
+      if (!has_bits(common, D - 2)) return false;
+      for (std::size_t k = 0; k < tight_.size(); ++k) {
+        if ((common & ~tight_[k]) == 0 && k != i && k != j) return false;
+      }
+      return true;
+    }
+    int count = 0;
+    for (std::size_t w = 0; w < words_; ++w) count += std::popcount(tight(i)[w] & tight(j)[w]);
+    if (count < D - 2) return false;
     for (std::size_t k = 0; k < size(); ++k) {
       if (k == i || k == j) continue;
       bool contains = true;
@@ -75,43 +88,44 @@ class Cell {
     return true;
   }
 
-  /// The part where `cut` has the sign `keep` or is 0, given the sign of `cut` on each ray: one
-  /// step of double description. Requires rays on both strict sides. `new_rays` holds the rays on
-  /// the cut from `cut_rays`, so that both parts share them.
-  struct CutRay {
-    const Vector* ray;
-    std::vector<Word> tight;
+  /// Rays that appear where a functional crosses faces of dimension 2, and the inequalities tight
+  /// at each. Two parts of a cell share them.
+  struct CutRays {
+    SmallList<const Vector*, kUsualRays> rays;
+    SmallList<Word, kUsualRays> tight;
   };
-  /// The rays that appear where `cut` crosses faces of dimension 2.
-  std::vector<CutRay> cut_rays(VectorPool<D>& pool, const Vector* cut,
-                               std::span<const std::int8_t> signs) const {
-    std::vector<CutRay> result;
+  /// Requires `signs` of `cut` on the rays, some on either strict side.
+  CutRays cut_rays(VectorPool<D>& pool, const Vector* cut,
+                   std::span<const std::int8_t> signs) const {
+    CutRays result;
     for (std::size_t i = 0; i < size(); ++i) {
       if (signs[i] <= 0) continue;
       for (std::size_t j = 0; j < size(); ++j) {
         if (signs[j] >= 0 || !are_adjacent(i, j)) continue;
-        CutRay& made = result.emplace_back();
-        made.ray = pool.combine(rays_[i], rays_[j], cut);
-        made.tight.resize(words_);
-        for (std::size_t w = 0; w < words_; ++w) made.tight[w] = tight(i)[w] & tight(j)[w];
+        result.rays.push_back(pool.combine(rays_[i], rays_[j], cut));
+        for (std::size_t w = 0; w < words_; ++w) {
+          result.tight.push_back(tight_[i * words_ + w] & tight_[j * words_ + w]);
+        }
       }
     }
     return result;
   }
+  /// The part where `cut` has the sign `keep` or is 0: one step of double description.
   Cell part(const Vector* cut, std::span<const std::int8_t> signs, int keep,
-            std::span<const CutRay> made) const {
+            const CutRays& made) const {
     Cell result;
     result.words_ = words_;
     result.facets_ = facets_;
+    const std::size_t most = size() + made.rays.size();
+    result.rays_.reserve(most);
+    result.tight_.reserve(most * words_);
     for (std::size_t i = 0; i < size(); ++i) {
       if (signs[i] == -keep) continue;
       result.rays_.push_back(rays_[i]);
-      result.tight_.insert(result.tight_.end(), tight(i).begin(), tight(i).end());
+      for (std::size_t w = 0; w < words_; ++w) result.tight_.push_back(tight_[i * words_ + w]);
     }
-    for (const CutRay& ray : made) {
-      result.rays_.push_back(ray.ray);
-      result.tight_.insert(result.tight_.end(), ray.tight.begin(), ray.tight.end());
-    }
+    result.rays_.insert(result.rays_.end(), made.rays.begin(), made.rays.end());
+    result.tight_.insert(result.tight_.end(), made.tight.begin(), made.tight.end());
     const std::size_t place = result.add_facet(cut);
     std::size_t at = 0;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -153,19 +167,28 @@ class Cell {
  private:
   /// Inequalities tight at fewer than D - 1 rays are no facets.
   void drop_loose_facets() {
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-      if (facets_[f] == nullptr) continue;
-      int count = 0;
-      for (std::size_t i = 0; i < size() && count < D - 1; ++i) count += is_tight(i, f);
-      if (count >= D - 1) continue;
-      facets_[f] = nullptr;
-      for (std::size_t i = 0; i < size(); ++i) {
-        tight_[i * words_ + f / 64] &= ~(Word{1} << (f % 64));
+    for (std::size_t w = 0; w < words_; ++w) {
+      // Bits seen at least 1, 2, ..., D - 1 times.
+      std::array<Word, D - 1> seen{};
+      for (std::size_t i = w; i < tight_.size(); i += words_) {
+        const Word word = tight_[i];
+        for (std::size_t times = D - 2; times > 0; --times) seen[times] |= seen[times - 1] & word;
+        seen[0] |= word;
       }
+      const Word kept = seen[D - 2];
+      for (std::size_t f = 64 * w; f < std::min(64 * (w + 1), facets_.size()); ++f) {
+        if (!(kept >> (f % 64) & 1)) facets_[f] = nullptr;
+      }
+      for (std::size_t i = w; i < tight_.size(); i += words_) tight_[i] &= kept;
     }
   }
+  /// At least `least` bits set.
+  static bool has_bits(Word word, int least) {
+    for (int i = 1; i < least; ++i) word &= word - 1;
+    return word != 0;
+  }
   void widen() {
-    std::vector<Word> wider((words_ + 1) * size(), 0);
+    SmallList<Word, kUsualRays> wider((words_ + 1) * size(), 0);
     for (std::size_t i = 0; i < size(); ++i) {
       std::copy(tight(i).begin(), tight(i).end(), wider.begin() + i * (words_ + 1));
     }
@@ -174,9 +197,9 @@ class Cell {
   }
 
   std::size_t words_ = 1;
-  std::vector<const Vector*> rays_;
-  std::vector<Word> tight_;  // #rays x words_
-  std::vector<const Vector*> facets_;
+  SmallList<const Vector*, kUsualRays> rays_;
+  SmallList<Word, kUsualRays> tight_;  // #rays x words_
+  SmallList<const Vector*, 64> facets_;
 };
 
 }  // namespace viewcover::exact

@@ -18,8 +18,7 @@ constexpr std::uint64_t kCheapCells = 32;
 }  // namespace
 
 Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
-  const SegmentCounts segments =
-      try_random_segments(shaft, {.most = kSegments, .seed = seed_});
+  const SegmentCounts segments = try_random_segments(shaft, {.most = kSegments, .seed = seed_});
   const auto nodes = shaft.occluder_set().clusters().nodes();
   SmallList<std::span<const Point>, 96> surfaces;
   for (const ShaftOccluder& occluder : shaft.occluders()) {

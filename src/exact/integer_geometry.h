@@ -22,6 +22,7 @@ class IntegerFrame {
     for (const Point& point : points) {
       for (int i = 0; i < 3; ++i) include(point[i]);
     }
+    scale_ = std::ldexp(1.0, -std::clamp(lowest_, -1000, 1000));
   }
   void set_origin(const Point& origin) { origin_ = origin; }
 
@@ -62,12 +63,14 @@ class IntegerFrame {
 
   void include(double x) {
     if (x == 0) return;
-    int exponent = 0;
-    const double fraction = std::frexp(x, &exponent);
-    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::fabs(fraction), 53));
-    highest_ = std::max(highest_, exponent);
-    lowest_ =
-        std::min(lowest_, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa)));
+    constexpr int kMantissaBits = 52, kBias = 1075;  // 2^(e - 1075) is the last bit's weight
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto biased = static_cast<int>(bits >> kMantissaBits & 0x7ff);
+    std::uint64_t mantissa = bits & ((std::uint64_t{1} << kMantissaBits) - 1);
+    if (biased != 0) mantissa |= std::uint64_t{1} << kMantissaBits;
+    const int last = std::max(biased, 1) - kBias;
+    highest_ = std::max(highest_, last + static_cast<int>(std::bit_width(mantissa)));
+    lowest_ = std::min(lowest_, last + std::countr_zero(mantissa));
   }
 
   template <class Number>
@@ -86,11 +89,14 @@ class IntegerFrame {
       }
       return result;
     } else {
-      return static_cast<std::int64_t>(std::ldexp(x, -lowest_));
+      // A product is exact, and faster where the factor is a normal number.
+      return static_cast<std::int64_t>(lowest_ > -1000 && lowest_ < 1000 ? x * scale_
+                                                                         : std::ldexp(x, -lowest_));
     }
   }
 
   int lowest_ = 2000, highest_ = -2000;
+  double scale_ = 1;  // 2^-lowest_
   Point origin_ = Point::Zero();
 };
 

@@ -1,6 +1,6 @@
 #include "exact/shaft_parts.h"
 
-#include <unordered_map>
+#include <bit>
 
 #include "exact/double_description.h"
 #include "exact/integer_geometry.h"
@@ -14,43 +14,45 @@ constexpr std::size_t kMostCorners = 6;
 /// So that the sides of a blocker, two cuts included, are counted in 64 bits.
 constexpr std::size_t kMostOccluderCorners = 60;
 
-/// Vectors of the lines through edges, one for both directions.
+/// Vectors of the lines through edges, one for both directions: mesh neighbours share them.
 class EdgeLines {
  public:
-  explicit EdgeLines(LinePool& pool) : pool_(pool) {}
+  EdgeLines(LinePool& pool, std::size_t edges)
+      : pool_(pool), entries_(std::bit_ceil(2 * edges + 1)) {}
 
   template <class Number>
   Side<6> operator()(const Point& a, const Point& b, const Vector3<Number>& integer_a,
                      const Vector3<Number>& integer_b) {
-    const auto [place, is_new] = lines_.try_emplace(key(a, b), Entry{a, b, nullptr});
-    Entry& entry = place->second;
-    if (is_new || !((entry.a == a && entry.b == b) || (entry.a == b && entry.b == a))) {
-      // A collision of hashes only costs the sharing.
-      const Vector3<Number> d = integer_b - integer_a, m = cross(integer_a, integer_b);
-      // As a functional on lines: direction and moment change places.
-      const LineVector* line =
-          pool_.add(Role::kFunctional, std::array<Number, 6>{m[0], m[1], m[2], d[0], d[1], d[2]});
-      if (is_new) entry.line = line;
-      return {line, 1};
+    const std::size_t mask = entries_.size() - 1;
+    for (std::size_t place = hash(a) + hash(b);; ++place) {
+      Entry& entry = entries_[place & mask];
+      if (entry.line == nullptr) {
+        const Vector3<Number> d = integer_b - integer_a, m = cross(integer_a, integer_b);
+        // As a functional on lines: direction and moment change places.
+        entry = {&a, &b,
+                 pool_.add(Role::kFunctional,
+                           std::array<Number, 6>{m[0], m[1], m[2], d[0], d[1], d[2]})};
+        return {entry.line, 1};
+      }
+      if (*entry.a == a && *entry.b == b) return {entry.line, 1};
+      if (*entry.a == b && *entry.b == a) return {entry.line, -1};
     }
-    return {entry.line, entry.a == a ? 1 : -1};
   }
-  void reserve(std::size_t edges) { lines_.reserve(edges); }
 
  private:
   struct Entry {
-    Point a, b;
-    const LineVector* line;
+    const Point* a = nullptr;
+    const Point* b = nullptr;
+    const LineVector* line = nullptr;
   };
-  static std::uint64_t hash(const Point& p) {
-    std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) h = mixed(h + std::bit_cast<std::uint64_t>(p[i] + 0.0));
-    return h;
+  static std::size_t hash(const Point& p) {
+    // + 0.0 makes one zero of two.
+    const auto bits = [&](int i) { return std::bit_cast<std::uint64_t>(p[i] + 0.0); };
+    return mixed(bits(0) + 3 * std::rotl(bits(1), 21) + 5 * std::rotl(bits(2), 42));
   }
-  static std::uint64_t key(const Point& a, const Point& b) { return hash(a) + hash(b); }
 
   LinePool& pool_;
-  std::unordered_map<std::uint64_t, Entry> lines_;
+  std::vector<Entry> entries_;  // open addressing, a power of two, never more than half full
 };
 
 template <class Number>
@@ -125,8 +127,11 @@ class ShaftCutter {
   }
 
   void add_occluders() {
-    EdgeLines lines(pool_);
-    lines.reserve(4 * shaft_.occluders.size());
+    std::size_t edges = 0;
+    for (const std::span<const Point> occluder : shaft_.occluders) {
+      edges += occluder.size() + 2 * (occluder.size() / (kMostOccluderCorners - 2));
+    }
+    EdgeLines lines(pool_, edges);
     for (std::size_t number = 0; number < shaft_.occluders.size(); ++number) {
       const std::span<const Point> corners = shaft_.occluders[number];
       const Polygon whole = polygon(corners);

@@ -10,7 +10,7 @@ namespace {
 
 /// Random segments tried before the decision: enough for most pairs that see each other, and little
 /// beside a decision.
-constexpr int kRandomSegments = 16;
+constexpr int kRandomSegments = 64;
 
 /// Ends at the first free cell that holds a real line.
 struct FirstSightLine {

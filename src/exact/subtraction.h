@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -66,57 +67,78 @@ class Subtraction {
     return ~std::uint64_t{0} >> (64 - blocker.sides.size());
   }
 
-  /// The rays of a cell, component by component: what the loop over them reads.
-  struct Table {
-    std::vector<double> components;  // D x #rays
-    std::vector<double> error, size;
-    explicit Table(const Cell<D>& cell)
-        : components(D * cell.size()), error(cell.size()), size(cell.size()) {
-      for (std::size_t i = 0; i < cell.size(); ++i) {
+  /// The rays of a cell, component by component, and the two factors of the error bound on their
+  /// products (`VectorPool::bound`): what the loop over them reads.
+  class Table {
+   public:
+    explicit Table(const Cell<D>& cell) : n_(cell.size()), values_((D + 2) * n_) {
+      for (std::size_t i = 0; i < n_; ++i) {
         const auto& ray = cell.ray(i)->approximate();
-        for (std::size_t k = 0; k < D; ++k) components[k * cell.size() + i] = ray.x[k];
-        error[i] = ray.error;
-        size[i] = ray.size;
+        for (std::size_t k = 0; k < D; ++k) values_[k * n_ + i] = ray.x[k];
+        values_[D * n_ + i] = VectorPool<D>::bound(1, 0, ray.size, ray.error, VectorPool<D>::kUnit);
+        values_[(D + 1) * n_ + i] =
+            VectorPool<D>::bound(0, 1, ray.size, ray.error, VectorPool<D>::kUnit);
       }
     }
+    /// Scalar products of a vector with all rays, and bounds on their errors.
+    void multiply(const Approximation<D, double>& f, double* __restrict products,
+                  double* __restrict bounds) const {
+      const double* const x = values_.data();
+      const std::size_t n = n_;
+      for (std::size_t i = 0; i < n; ++i) products[i] = f.x[0] * x[i];
+      for (std::size_t k = 1; k < D; ++k) {
+        const double factor = f.x[k];
+        const double* const xk = x + k * n;
+        for (std::size_t i = 0; i < n; ++i) products[i] += factor * xk[i];
+      }
+      const double* const per_size = x + D * n;
+      const double* const per_error = x + (D + 1) * n;
+      const double size = VectorPool<D>::kRoundUp * f.size,
+                   error = VectorPool<D>::kRoundUp * f.error;
+      for (std::size_t i = 0; i < n; ++i) bounds[i] = size * per_size[i] + error * per_error[i];
+    }
+
+   private:
+    std::size_t n_;
+    SmallList<double, (D + 2) * kUsualRays> values_;
   };
 
   struct Signs {
-    std::vector<std::int8_t> of_ray;
+    SmallList<std::int8_t, kUsualRays> of_ray;
     bool positive = false, negative = false;
   };
 
   /// Signs of a side on all rays.
   void evaluate(const Cell<D>& cell, const Table& table, const Side<D>& side, Signs& signs) {
     const std::size_t n = cell.size();
-    const auto& f = side.functional->approximate();
-    values_.assign(n, 0);
-    for (std::size_t k = 0; k < D; ++k) {
-      const double factor = side.sign * f.x[k];
-      const double* x = table.components.data() + k * n;
-      for (std::size_t i = 0; i < n; ++i) values_[i] += factor * x[i];
-    }
+    products_.resize(n);
+    bounds_.resize(n);
+    table.multiply(side.functional->approximate(), products_.data(), bounds_.data());
     signs.of_ray.resize(n);
-    signs.positive = signs.negative = false;
-    using Pool = VectorPool<D>;
-    std::size_t unsure = 0;
+    std::int8_t* const of_ray = signs.of_ray.data();
+    bool positive = false, negative = false, unsure = false;
     for (std::size_t i = 0; i < n; ++i) {
-      const double bound = Pool::bound(f.size, f.error, table.size[i], table.error[i], Pool::kUnit);
-      const int sign = (values_[i] > bound) - (values_[i] < -bound);
-      signs.of_ray[i] = static_cast<std::int8_t>(sign);
-      signs.positive |= sign > 0;
-      signs.negative |= sign < 0;
-      unsure += sign == 0;
+      const double product = side.sign * products_[i];
+      const bool above = product > bounds_[i], below = product < -bounds_[i];
+      of_ray[i] = static_cast<std::int8_t>(above - below);
+      positive |= above;
+      negative |= below;
+      unsure |= !(above | below);
     }
-    pool_.statistics().filtered_signs += n - unsure;
-    if (unsure == 0) return;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (signs.of_ray[i] != 0 || cell.is_known_zero(i, side.functional)) continue;
-      const int sign = side.sign * pool_.exact_sign(*side.functional, *cell.ray(i));
-      signs.of_ray[i] = static_cast<std::int8_t>(sign);
-      signs.positive |= sign > 0;
-      signs.negative |= sign < 0;
+    pool_.statistics().filtered_signs += n;
+    if (unsure) {
+      for (std::size_t i = 0; i < n; ++i) {
+        if (signs.of_ray[i] != 0) continue;
+        --pool_.statistics().filtered_signs;
+        if (cell.is_known_zero(i, side.functional)) continue;
+        const int sign = side.sign * pool_.exact_sign(*side.functional, *cell.ray(i));
+        signs.of_ray[i] = static_cast<std::int8_t>(sign);
+        positive |= sign > 0;
+        negative |= sign < 0;
+      }
     }
+    signs.positive = positive;
+    signs.negative = negative;
   }
 
   /// True to end the search.
@@ -127,22 +149,20 @@ class Subtraction {
     if (!rules_.holds_anything(cell)) return false;
     const std::size_t n = cell.size();
     const Table table(cell);
-    std::vector<Candidate> left;
+    SmallList<Candidate, 64> left;
     std::size_t best = 0, most = 0;
     Signs signs;
-    std::vector<bool> outside;
+    SmallList<std::int8_t, kUsualRays> outside;
     for (Candidate candidate : candidates) {
       const Blocker<D>& blocker = blockers_[candidate.blocker];
-      outside.assign(n, false);
+      outside.assign(n, 0);
       bool meets = true;
       for (std::uint64_t sides = candidate.sides; sides != 0 && meets; sides &= sides - 1) {
         const int k = std::countr_zero(sides);
         evaluate(cell, table, blocker.sides[static_cast<std::size_t>(k)], signs);
         meets = signs.positive;
         if (!signs.negative) candidate.sides &= ~(std::uint64_t{1} << k);
-        for (std::size_t i = 0; i < n; ++i) {
-          if (signs.of_ray[i] < 0) outside[i] = true;
-        }
+        for (std::size_t i = 0; i < n; ++i) outside[i] = std::min(outside[i], signs.of_ray[i]);
       }
       if (!meets) continue;
       if (candidate.sides == 0) {  // it covers the cell
@@ -150,7 +170,7 @@ class Subtraction {
         return false;
       }
       const auto inside =
-          n - static_cast<std::size_t>(std::count(outside.begin(), outside.end(), true));
+          static_cast<std::size_t>(std::count(outside.begin(), outside.end(), std::int8_t{0}));
       if (left.empty() || inside > most) {
         best = left.size();
         most = inside;
@@ -206,7 +226,7 @@ class Subtraction {
   VectorPool<D>& pool_;
   std::span<const Blocker<D>> blockers_;
   Rules& rules_;
-  std::vector<double> values_;
+  std::vector<double> products_, bounds_;
   std::uint64_t cells_left_;
   bool gave_up_ = false;
   bool cut_ = false;  // the root was cut

@@ -23,7 +23,7 @@ enum class Role : std::uint8_t { kRay, kFunctional };
 /// is within `error` of f times the exact one. The largest magnitude is in [1/2, 1).
 template <int D, class Float>
 struct Approximation {
-  std::array<Float, D> x{};
+  std::array<Float, D> x;
   double error = 0;
   double size = 0;  ///< no less than the sum of the magnitudes
 };
@@ -45,6 +45,14 @@ class LazyVector {
   template <int>
   friend class VectorPool;
 
+  void reset() {
+    points_ = 0;
+    negated_ = false;
+    exact_ = Exact::kUnknown;
+    quad_.reset();
+    big_.reset();
+  }
+
   enum class Exact : std::uint8_t { kUnknown, kFixedWidth, kNotFixedWidth, kBig };
 
   Approximation<D, double> approximate_;
@@ -57,7 +65,7 @@ class LazyVector {
   bool negated_ = false;
   Role role_ = Role::kRay;
   Exact exact_ = Exact::kUnknown;
-  std::array<std::int64_t, D> fixed_{};  // magnitudes below 2^62
+  std::array<std::int64_t, D> fixed_;  // magnitudes below 2^62
   std::unique_ptr<Approximation<D, Quad>> quad_;
   std::unique_ptr<std::array<BigInteger, D>> big_;
 };
@@ -73,6 +81,15 @@ class VectorPool {
   using Vector = LazyVector<D>;
 
   explicit VectorPool(ExactStatistics& statistics) : statistics_(statistics) {}
+  ~VectorPool() {
+    for (std::size_t i = 0; i < count_; ++i) chunks_[i / kChunk][i % kChunk].reset();
+    auto& spare = spare_chunks();
+    for (Chunk& chunk : chunks_) {
+      if (spare.size() < kSpareChunks) spare.push_back(std::move(chunk));
+    }
+  }
+  VectorPool(const VectorPool&) = delete;
+  VectorPool& operator=(const VectorPool&) = delete;
 
   /// In dimension 6, where rays are lines (d, m) and functionals (m, d), floating-point forms stand
   /// for coordinates in units of 2^exponent: lengths d count 2^exponent times as much beside
@@ -172,6 +189,7 @@ class VectorPool {
     return kRoundUp * (a_size * (7 * u + b_error) + a_error * (b_size + D * b_error));
   }
   static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+  static constexpr double kRoundUp = 1 + 16 * kUnit;
 
   /// The sign where the filter was not sure.
   template <int Shift = 0>
@@ -209,11 +227,10 @@ class VectorPool {
 
  private:
   static constexpr double kQuadUnit = 0x1p-113;
-  static constexpr double kRoundUp = 1 + 16 * kUnit;
   // A vector known less well than this is computed more precisely at once: what is built on it
   // would soon be known to no digit.
-  static constexpr double kCoarse = 0x1p-20;
-  static constexpr double kQuadCoarse = 0x1p-60;
+  static constexpr double kCoarse = 0x1p-10;
+  static constexpr double kQuadCoarse = 0x1p-30;
   static constexpr int kFixedBits = 62;
 
   template <int Shift, class Float>
@@ -299,18 +316,16 @@ class VectorPool {
   /// Better doubles for a vector that its parents' doubles leave open.
   void sharpen(Vector& v) {
     if (!is_fixed(v)) {
+      // At least as good as kQuadCoarse: what is not was computed exactly.
       const Approximation<D, Quad>& precise = quad(v);
-      if (precise.error < kQuadCoarse) {
-        for (std::size_t i = 0; i < D; ++i) {
-          v.approximate_.x[i] = static_cast<double>(precise.x[i]);
-        }
-        v.approximate_.error = 1.01 * kUnit;
-        normalize(v.approximate_, magnitude(*std::max_element(
-                                      precise.x.begin(), precise.x.end(),
-                                      [](Quad a, Quad b) { return magnitude(a) < magnitude(b); })));
-        return;
+      double largest = 0;
+      for (std::size_t i = 0; i < D; ++i) {
+        v.approximate_.x[i] = static_cast<double>(precise.x[i]);
+        largest = std::max(largest, std::fabs(v.approximate_.x[i]));
       }
-      make_big(v);
+      v.approximate_.error = kRoundUp * (precise.error + kUnit);
+      normalize(v.approximate_, largest);
+      return;
     }
     approximate_from_exact(v);
   }
@@ -508,20 +523,33 @@ class VectorPool {
     return D == 6 && (i < 3) == (role == Role::kRay) ? unit_ : 1;
   }
 
-  // Addresses stay: vectors refer to each other.
   Vector& new_vector(Role role) {
-    if (count_ == kChunk * chunks_.size()) chunks_.push_back(std::make_unique<Vector[]>(kChunk));
+    if (count_ == kChunk * chunks_.size()) chunks_.push_back(take_chunk());
     Vector& vector = chunks_[count_ / kChunk][count_ % kChunk];
     vector.role_ = role;
     ++count_;
     return vector;
   }
 
-  static constexpr std::size_t kChunk = 64;
+  // Addresses stay, as vectors refer to each other. Chunks go from one query to the next of the
+  // same thread.
+  static constexpr std::size_t kChunk = 64, kSpareChunks = 256;
+  using Chunk = std::unique_ptr<Vector[]>;
+  static std::vector<Chunk>& spare_chunks() {
+    thread_local std::vector<Chunk> spare;
+    return spare;
+  }
+  static Chunk take_chunk() {
+    auto& spare = spare_chunks();
+    if (spare.empty()) return std::make_unique_for_overwrite<Vector[]>(kChunk);
+    Chunk chunk = std::move(spare.back());
+    spare.pop_back();
+    return chunk;
+  }
 
   ExactStatistics& statistics_;
   double unit_ = 1;
-  std::vector<std::unique_ptr<Vector[]>> chunks_;
+  std::vector<Chunk> chunks_;
   std::size_t count_ = 0;
 };
 

@@ -57,9 +57,8 @@ class Shaft {
 
   enum class Meets { kNo, kMaybe, kBlocksAll };
   /// kNo iff the occluder does not meet the open shaft, kBlocksAll only if it alone meets every
-  /// sight line; both exact. Between two-sided polygons kBlocksAll is complete too; toward a box kNo
-  /// may be missed.
-  /// `occluder` is a surface; what is found out about its plane is noted in it.
+  /// sight line; both exact. Between two-sided polygons kBlocksAll is complete too; toward a box
+  /// kNo may be missed. `occluder` is a surface; what is found out about its plane is noted in it.
   Meets meets(ShaftOccluder& occluder) const;
 
  private:

@@ -72,6 +72,7 @@ class ShaftMaker {
         shingles();
         break;
     }
+    add_bystander();
     disguise();
     return {query_, family_};
   }
@@ -310,6 +311,21 @@ class ShaftMaker {
     }
   }
 
+  /// A polygon that hides nothing more: in the plane of R or E, or a copy of another.
+  void add_bystander() {
+    if (query_.occluders.size() >= 6 || !one_in(8)) return;
+    const int kind = between(0, 2);
+    if (kind == 2 && query_.occluders.empty()) return;
+    ConvexPolygon copy = kind == 0   ? query_.region
+                         : kind == 1 ? query_.element
+                                     : query_.occluders[random_.below(query_.occluders.size())];
+    if (kind < 2) {
+      const Point step = (copy[1] - copy[0]) * between(0, 1);
+      for (Point& corner : copy) corner += step;
+    }
+    occlude(copy);
+  }
+
   /// Maps that keep every answer: swaps, permutations, mirrors, a shear, another first corner,
   /// a further corner within an edge.
   void disguise() {
@@ -343,6 +359,188 @@ class ShaftMaker {
   Family family_;
   SightQuery query_;
 };
+
+std::string text(const ConvexPolygon& polygon) {
+  std::ostringstream out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    out << (i == 0 ? "[[" : ", [") << polygon[i].x() << ", " << polygon[i].y() << ", "
+        << polygon[i].z() << "]";
+  }
+  out << "]";
+  return out.str();
+}
+
+/// As one line of a corpus.
+std::string text(const SightQuery& query, bool visible) {
+  std::ostringstream out;
+  out << "{\"region\": " << text(query.region) << ", \"element\": " << text(query.element)
+      << ", \"occluders\": [";
+  for (std::size_t i = 0; i < query.occluders.size(); ++i) {
+    out << (i == 0 ? "" : ", ") << text(query.occluders[i]);
+  }
+  out << "], \"visible\": " << (visible ? "true" : "false") << "}";
+  return out.str();
+}
+
+bool kernel_sees(const SightQuery& query) { return is_visible(decide_from_region(query).verdict); }
+
+constexpr std::uint64_t kSeed = 20240611;
+constexpr std::uint64_t kShards = 8, kShaftsPerShard = 2'250;
+
+class SecondOpinion : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(SecondOpinion, AgreesWithTheKernel) {
+  std::cout << "seed " << kSeed << ", shard " << GetParam() << "\n";
+  std::array<std::array<int, 2>, kFamilyCount> count{};
+  int mismatches = 0;
+  for (std::uint64_t i = 0; i < kShaftsPerShard && mismatches < 5; ++i) {
+    const std::uint64_t index = GetParam() * kShaftsPerShard + i;
+    const auto [query, family] = ShaftMaker(kSeed, index).make();
+    const bool visible = sees_by_second_opinion(query);
+    ++count[family][visible];
+    if (kernel_sees(query) == visible) continue;
+    ++mismatches;
+    ADD_FAILURE() << "seed " << kSeed << ", index " << index << ", " << kFamilyNames[family]
+                  << "; the second opinion is\n"
+                  << text(query, visible);
+  }
+  if (mismatches > 0) return;
+  std::array<int, 2> sum{};
+  for (std::size_t family = 0; family < kFamilyCount; ++family) {
+    std::cout << kFamilyNames[family] << ": " << count[family][0] << " hidden, " << count[family][1]
+              << " visible\n";
+    for (const int verdict : {0, 1}) {
+      EXPECT_GE(count[family][verdict], 5) << kFamilyNames[family];
+      sum[verdict] += count[family][verdict];
+    }
+  }
+  EXPECT_GE(sum[0] * 10, (sum[0] + sum[1]) * 3) << "hidden";
+  EXPECT_GE(sum[1] * 10, (sum[0] + sum[1]) * 3) << "visible";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shards, SecondOpinion, ::testing::Range<std::uint64_t>(0, kShards));
+
+/// A comparison that passes in double would prove nothing.
+TEST(SecondOpinion, DoublesDisagree) {
+  std::cout << "seed " << kSeed << "\n";
+  int differs_from_opinion = 0, differs_from_kernel = 0, lost = 0;
+  for (std::uint64_t index = 0; index < 600; ++index) {
+    const SightQuery query = ShaftMaker(kSeed, index).make().query;
+    try {
+      const bool visible = sees_by_second_opinion_in_double(query);
+      differs_from_opinion += visible != sees_by_second_opinion(query);
+      differs_from_kernel += visible != kernel_sees(query);
+    } catch (const second_opinion::Undecided&) {
+      ++lost;
+    }
+  }
+  std::cout << differs_from_opinion << " of 600 wrong in double, " << lost
+            << " without an answer\n";
+  EXPECT_GT(differs_from_opinion, 0);
+  EXPECT_GT(differs_from_kernel, 0);
+}
+
+struct Known {
+  std::string name;
+  ConvexPolygon region, element;
+  std::vector<ConvexPolygon> occluders;
+  bool visible;
+};
+
+std::vector<Known> known_cases() {
+  const auto square = [](double half, double z) { return horizontal(-half, -half, half, half, z); };
+  /// A wall at height z but for the slit low < y < high.
+  const auto slit_y = [](double low, double high, double z) {
+    return std::vector<ConvexPolygon>{horizontal(-99, -99, 99, low, z),
+                                      horizontal(-99, high, 99, 99, z)};
+  };
+  const auto slit_x = [](double low, double high, double z) {
+    return std::vector<ConvexPolygon>{horizontal(-99, -99, low, 99, z),
+                                      horizontal(high, -99, 99, 99, z)};
+  };
+  const auto both = [](std::vector<ConvexPolygon> a, const std::vector<ConvexPolygon>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  /// A wall at height 2 with the hole |x|, |y| < 1.
+  const std::vector<ConvexPolygon> hole = {
+      horizontal(-99, -99, -1, 99, 2), horizontal(1, -99, 99, 99, 2), horizontal(-1, -99, 1, -1, 2),
+      horizontal(-1, 1, 1, 99, 2)};
+  const auto upright = [](double x, double y0, double y1, double z0, double z1) {
+    return ConvexPolygon{{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}};
+  };
+  const ConvexPolygon floor = horizontal(0, 0, 2, 2, 0), wall = upright(0, 0, 2, 0, 2);
+  const ConvexPolygon plate = {{0, 0, 0}, {0, 2, 0}, {2, 2, 2}, {2, 0, 2}};
+  const ConvexPolygon narrow_plate = {{0, 0, 0}, {0, 1, 0}, {2, 1, 2}, {2, 0, 2}};
+  const ConvexPolygon flat = square(2, 0), crossing = upright(0, -1, 1, -2, 2);
+  return {
+      {"nothing between", square(1, 0), square(1, 2), {}, true},
+      {"one plane", square(1, 0), horizontal(3, 0, 4, 1, 0), {}, false},
+      // The umbra of the wall |x|, |y| < 2 at height 1 is |x|, |y| < 3 at height 2.
+      {"fills the umbra", square(1, 0), square(3, 2), {square(2, 1)}, false},
+      {"within the umbra", square(1, 0), square(2, 2), {square(2, 1)}, false},
+      {"out of the umbra", square(1, 0), horizontal(-2, -3, 4, 3, 2), {square(2, 1)}, true},
+      {"slats that abut",
+       square(1, 0),
+       square(1, 2),
+       {horizontal(-1, -1, 0, 1, 1), horizontal(0, -1, 1, 1, 1)},
+       false},
+      {"slats with a slit",
+       square(16, 0),
+       square(16, 2),
+       {horizontal(-16, -16, 0, 16, 1), horizontal(1, -16, 16, 16, 1)},
+       true},
+      {"triangles round a corner that abut",
+       square(1, 0),
+       square(1, 2),
+       {{{-1, -1, 1}, {1, -1, 1}, {0.5, 0.25, 1}},
+        {{1, -1, 1}, {1, 1, 1}, {0.5, 0.25, 1}},
+        {{1, 1, 1}, {-1, 1, 1}, {0.5, 0.25, 1}},
+        {{-1, 1, 1}, {-1, -1, 1}, {0.5, 0.25, 1}}},
+       false},
+      {"crossed slits", square(2, 0), square(2, 3), both(slit_y(0, 1, 1), slit_x(0, 1, 2)), true},
+      {"crossed slits, one closed", square(2, 0), square(2, 3),
+       both(slit_y(0, 1, 1), slit_x(1, 1, 2)), false},
+      // From 0 < y < 1 at height 1 to 2 < y < 3 at height 2 lines start at y < 0.
+      {"slits out of line by two", horizontal(0, 0, 1, 1, 0), square(9, 3),
+       both(slit_y(0, 1, 1), slit_y(2, 3, 2)), false},
+      {"slits out of line by two, from further out", horizontal(0, -1, 1, 1, 0), square(9, 3),
+       both(slit_y(0, 1, 1), slit_y(2, 3, 2)), true},
+      // From |y| < 2 at height 0 through the hole lines are within |y| < 4 at height 4.
+      {"hole with a plug", square(2, 0), square(9, 6), both(hole, {square(4, 4)}), false},
+      {"hole with a plug one unit short", square(2, 0), square(9, 6),
+       both(hole, {horizontal(-4, -4, 4, 3, 4)}), true},
+      {"plate through the common edge", floor, wall, {plate}, false},
+      {"plate through half of the common edge", floor, wall, {narrow_plate}, true},
+      {"in the plane of the element", square(1, 0), square(1, 2), {square(2, 2)}, true},
+      {"behind both", square(1, 0), square(1, 2), {square(9, 3), square(9, -1)}, true},
+      {"standing on the region", floor, square(2, 2), {upright(1, 0, 2, 0, 9)}, true},
+      {"element across, one side blocked", flat, crossing, {horizontal(-9, -9, 9, 9, 0.5)}, true},
+      // Each wall stands between the element and one half of the region.
+      {"element across, walls along it",
+       flat,
+       crossing,
+       {upright(0.25, -9, 9, -9, 9), upright(-0.25, -9, 9, -9, 9)},
+       true},
+      {"element across and off the region, plates on both sides",
+       flat,
+       upright(3, -1, 1, -2, 2),
+       {horizontal(-9, -9, 2, 9, 0.5), horizontal(-9, -9, 2, 9, -0.5), upright(2, -9, 9, -1, 1)},
+       false},
+  };
+}
+
+TEST(SecondOpinion, KnownAnswers) {
+  for (const Known& known : known_cases()) {
+    SightQuery query;
+    query.region = known.region;
+    query.element = known.element;
+    query.occluders = known.occluders;
+    EXPECT_EQ(sees_by_second_opinion(query), known.visible) << known.name;
+    std::swap(query.region, query.element);
+    EXPECT_EQ(sees_by_second_opinion(query), known.visible) << known.name << ", swapped";
+  }
+}
 
 }  // namespace
 }  // namespace viewcover::testing

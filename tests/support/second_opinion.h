@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,7 +25,7 @@
 // whose coefficients are affine in p = (x, y). Subtracting cone after cone from E leaves nothing of
 // positive area (E is hidden from p) or something (then a neighbourhood of (p, q) is free: visible,
 // proved). Occluders count where they are strictly on E's side of plane(R) and on R's side of
-// plane(E); R and E are cut by each other's plane first.
+// plane(E); R and E are cut by each other's plane first, and each pair of parts is decided alone.
 //
 // Certificate. If E is hidden from p, every piece left over by the subtraction has been found empty
 // because a line t >= 0 on it although t < 0 there by construction. By Farkas two sides a, b of the
@@ -680,7 +679,12 @@ class Sweep {
   };
   struct Interval {
     Bound low, high;
-    std::vector<int> curves;
+    std::vector<int> curves;  ///< of the proof that E is hidden from it
+  };
+  /// Of the points of R with one x: neighbours overlap or share a bound.
+  struct Cover {
+    Bound bottom, top;  ///< where R ends
+    std::vector<Interval> intervals;
   };
 
   // ---- set-up
@@ -781,7 +785,8 @@ class Sweep {
     } else {
       blocker.curve = curve_of(conic_of(blocker.side));
     }
-    // Edges without a part strictly on both sides bound nothing; where plane(E) cuts, it bounds.
+    // What can hide is the part of the occluder strictly on both sides. Other edges do not bound
+    // it; plane(E) does where it cuts; plane(R) need not be a side as all of E is beyond it.
     bool reaches_element = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector<N>&a = corners[i], &b = corners[(i + 1) % corners.size()];
@@ -1175,8 +1180,8 @@ class Sweep {
   }
 
   /// Covers R on the line x = x0 by intervals on which E is hidden.
-  Look cover_line(const N& x, std::vector<Interval>& cover) {
-    Bound bottom, top;
+  Look cover_line(const N& x, Cover& cover) {
+    Bound &bottom = cover.bottom, &top = cover.top;
     for (const int id : floor_) {
       const Bound bound = roots_at(id, x).at(0);
       if (bottom.curve < 0 || compare(bound.root, bottom.root) > 0) bottom = bound;
@@ -1210,7 +1215,6 @@ class Sweep {
       found.push_back(std::move(interval));
     }
     // Few intervals that still cover, in order.
-    cover.clear();
     const Bound* reached = &bottom;
     while (compare(reached->root, top.root) < 0) {
       const Interval* next = nullptr;
@@ -1223,11 +1227,9 @@ class Sweep {
       if (next == nullptr || compare(next->high.root, reached->root) <= 0) {
         throw Undecided("gap in a covering");
       }
-      cover.push_back(*next);
+      cover.intervals.push_back(*next);
       reached = &next->high;
     }
-    bottom_ = bottom;
-    top_ = top;
     return Look::kHidden;
   }
 
@@ -1251,8 +1253,8 @@ class Sweep {
   enum class Event { kItself, kLeading, kDiscriminant, kResultant };
   using EventKey = std::tuple<Event, int, int>;
 
-  /// The zeros in R's range of x; null if the polynomial is identically zero.
-  std::vector<RealRoot<N>>* zeros(const EventKey& key) {
+  /// The zeros in R's range of x.
+  std::vector<RealRoot<N>>& zeros(const EventKey& key) {
     const auto [place, is_new] = zeros_.try_emplace(key);
     if (is_new) {
       const auto [event, i, j] = key;
@@ -1277,7 +1279,7 @@ class Sweep {
       isolate(std::make_shared<const Univariate<N>>(std::move(polynomial)), false, low_x_, high_x_,
               0, place->second);
     }
-    return &place->second;
+    return place->second;
   }
 
   void add_resultant(std::vector<EventKey>& events, int i, int j) const {
@@ -1289,12 +1291,12 @@ class Sweep {
     if (curves_[bound.curve].has_yy) events.push_back({Event::kDiscriminant, bound.curve, 0});
   }
 
-  std::vector<EventKey> events_of(const std::vector<Interval>& cover) const {
+  std::vector<EventKey> events_of(const Cover& cover) const {
     std::vector<EventKey> events;
-    add_bound(events, bottom_);
-    add_bound(events, top_);
-    const Bound* reached = &bottom_;
-    for (const Interval& interval : cover) {
+    add_bound(events, cover.bottom);
+    add_bound(events, cover.top);
+    const Bound* reached = &cover.bottom;
+    for (const Interval& interval : cover.intervals) {
       if (!reached->same_branch(interval.low)) {
         add_resultant(events, reached->curve, interval.low.curve);
       }
@@ -1313,7 +1315,9 @@ class Sweep {
         add_resultant(events, id, interval.high.curve);
       }
     }
-    if (!reached->same_branch(top_)) add_resultant(events, reached->curve, top_.curve);
+    if (!reached->same_branch(cover.top)) {
+      add_resultant(events, reached->curve, cover.top.curve);
+    }
     make_set(events);
     return events;
   }
@@ -1327,7 +1331,7 @@ class Sweep {
       const N x = between(low, limit, low_x_, high_x_, order);
       limit = RealRoot<N>::rational(x);
       ++lines;
-      std::vector<Interval> cover;
+      Cover cover;
       const Look look = cover_line(x, cover);
       if (look == Look::kSeen) return true;
       if (look == Look::kDegenerate) continue;
@@ -1344,7 +1348,7 @@ class Sweep {
   bool holds_around(const N& x, const std::vector<EventKey>& events, RealRoot<N>& below,
                     RealRoot<N>& above) {
     for (const EventKey& key : events) {
-      for (RealRoot<N>& root : *zeros(key)) {
+      for (RealRoot<N>& root : zeros(key)) {
         const int order = compare(root, x);
         if (order == 0) return false;
         RealRoot<N>& nearest = order < 0 ? below : above;
@@ -1375,19 +1379,19 @@ class Sweep {
   std::vector<int> blocker_signs_;
   std::vector<Approximate> approximate_;
   std::vector<int> proof_, zero_free_;
-  Bound bottom_, top_;
 };
 
 struct Effort {
   std::size_t points = 0, lines = 0;
 };
 
-/// The decision in numbers of type N. Throws Undecided (only if N is not exact).
+/// The decision in numbers of type N. Throws Undecided; exactly only beyond 100,000 points of R.
 template <class N>
 bool sees(const SightQuery& query, Effort* effort = nullptr) {
   const Corners<N> region = corners_of<N>(query.region), element = corners_of<N>(query.element);
   std::vector<Corners<N>> occluders;
   for (const ConvexPolygon& polygon : query.occluders) occluders.push_back(corners_of<N>(polygon));
+  if (occluders.size() > 30) throw std::invalid_argument("more than 30 occluders");
   const Plane<N> plane_r(region), plane_e(element);
   for (const int side_e : {1, -1}) {
     const Corners<N> from = part_above(region, plane_e, side_e);
@@ -1416,8 +1420,9 @@ bool sees(const SightQuery& query, Effort* effort = nullptr) {
 
 }  // namespace second_opinion
 
-/// Decides exactly whether the element is visible from the region, whatever one_sided says. For up
-/// to 30 occluders; milliseconds for up to six.
+/// Decides exactly whether the element is visible from the region, whatever one_sided says.
+/// REQUIRES: at most 30 occluders, polygons that are convex, planar and have an area.
+/// Cost: 1 ms or so for up to six occluders on a small integer grid; grows fast with both.
 inline bool sees_by_second_opinion(const SightQuery& query) {
   return second_opinion::sees<second_opinion::Fraction>(query);
 }
