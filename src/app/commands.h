@@ -18,5 +18,6 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 // exit code in `exit_code`. Errors while it runs: InputError, Interrupted.
 void add_solve_command(CLI::App& app, int& exit_code);
 void add_generate_command(CLI::App& app, int& exit_code);
+void add_sees_command(CLI::App& app, int& exit_code);
 
 }  // namespace viewcover

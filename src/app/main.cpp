@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   add_solve_command(app, exit_code);
   add_generate_command(app, exit_code);
+  add_sees_command(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

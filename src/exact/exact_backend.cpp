@@ -34,8 +34,8 @@ Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
     add(kLeftOpen);
     return Verdict::kAssumedVisible;
   }
-  const exact::ShaftPolygons polygons{shaft.region().polygon, shaft.element().polygon, surfaces,
-                                      shaft.one_sided()};
+  const ShaftPolygons polygons{shaft.region().polygon, shaft.element().polygon, surfaces,
+                               shaft.one_sided()};
   ExactStatistics statistics;
   exact::LinePool pool(statistics);
   RandomNumbers random(seed_);

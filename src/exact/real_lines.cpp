@@ -162,4 +162,8 @@ std::optional<RealLineBracket> find_real_lines(LinePool& pool, const LineCell& c
   return RealLineBracket{*positive, *negative};
 }
 
+bool takes_sign(LinePool& pool, const LineCell& cell, int sign) {
+  return SignSearch(pool, cell, sign).run().has_value();
+}
+
 }  // namespace viewcover::exact

@@ -30,4 +30,8 @@ struct RealLineBracket {
 /// subsets of up to four rays, which is enough for a form of signature (3, 3).
 std::optional<RealLineBracket> find_real_lines(LinePool& pool, const LineCell& cell);
 
+/// Does the Klein form take the given strict sign on the cone of the cell's rays? Exact. The cell
+/// may be a face: rays, and what they are tight at, of a cell.
+bool takes_sign(LinePool& pool, const LineCell& cell, int sign);
+
 }  // namespace viewcover::exact

@@ -6,20 +6,11 @@
 
 #include "exact/real_lines.h"
 #include "exact/subtraction.h"
-#include "scene/convex_polygon.h"
+#include "links/sight_line.h"
 
 namespace viewcover::exact {
 
 using LineBlocker = Blocker<6>;
-
-/// A region, an element and what may stand between them; strictly convex planar polygons whose
-/// coordinates are exact numbers. Borrowed.
-struct ShaftPolygons {
-  std::span<const Point> region;
-  std::span<const Point> element;
-  std::span<const std::span<const Point>> occluders;
-  bool one_sided = false;
-};
 
 /// Part of a shaft in which region and element lie on one side of each other's plane.
 struct ShaftPart {

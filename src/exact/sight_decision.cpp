@@ -101,7 +101,7 @@ Verdict decide_by_cells(LinePool& pool, const ShaftPolygons& shaft, const Decisi
 SightAnswer decide_shaft(const ShaftPolygons& shaft) {
   SightAnswer answer;
   RandomNumbers random(1);
-  RandomSegments segments = try_random_segments(shaft, kRandomSegments, random);
+  RandomSegments segments = try_exact_segments(shaft, kRandomSegments, random);
   answer.witness = std::move(segments.witness);
   if (answer.witness && segments.any_blocked) {
     answer.verdict = Verdict::kVisibleWitness;

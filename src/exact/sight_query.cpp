@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "exact/sight_decision.h"
-#include "exact/sight_line.h"
 #include "exact/view_cone.h"
 #include "exact/witness_search.h"
 #include "scene/predicates.h"
@@ -19,18 +18,8 @@ struct StrictPolygon {
   ConvexPolygon corners;
   std::vector<std::size_t> places;
 
-  explicit StrictPolygon(const ConvexPolygon& polygon) {
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      // A turn that vanishes along every axis.
-      const Point &before = polygon[(i + n - 1) % n], &here = polygon[i],
-                  &after = polygon[(i + 1) % n];
-      const bool straight = turn(before, here, after, 0) == 0 &&
-                            turn(before, here, after, 1) == 0 && turn(before, here, after, 2) == 0;
-      if (straight) continue;
-      corners.push_back(here);
-      places.push_back(i);
-    }
+  explicit StrictPolygon(const ConvexPolygon& polygon) : places(turning_corners(polygon)) {
+    for (const std::size_t place : places) corners.push_back(polygon[place]);
   }
 };
 

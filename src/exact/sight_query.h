@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exact/statistics.h"
+#include "links/sight_line.h"
 #include "links/verdict.h"
 #include "scene/convex_polygon.h"
 
@@ -19,14 +20,8 @@ struct SightQuery {
   Point viewpoint;       ///< for queries from a viewpoint
   ConvexPolygon element;
   std::vector<ConvexPolygon> occluders;
-  bool one_sided = false;  ///< only the front of the element counts as visible
-};
-
-/// Two points with a free open segment between them, interior to region and element, exactly:
-/// sum w_i v_i / sum w_i over the corners v_i of the polygon, all w_i > 0.
-struct Witness {
-  std::vector<double> region_weights;  ///< empty for a viewpoint
-  std::vector<double> element_weights;
+  /// Only the front of the element counts as visible, and only the part of the region in front.
+  bool one_sided = false;
 };
 
 struct SightAnswer {
@@ -50,7 +45,8 @@ struct PointAnswer : SightAnswer {
 
 /// Decides exactly which part of the element is visible from the viewpoint: all points whose open
 /// segment to it meets no occluder. Visible iff that part has positive area. Occluders and elements
-/// whose plane holds the viewpoint are seen edge-on: they neither block nor are visible.
+/// whose plane holds the viewpoint are seen edge-on: they neither block nor are visible. An
+/// edge-on occluder inside the cone of view still keeps the element from being fully visible.
 PointAnswer decide_from_point(const SightQuery& query);
 
 }  // namespace viewcover

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,7 +50,9 @@ class Subtraction {
     for (std::size_t i = 0; i < blockers_.size(); ++i) {
       candidates.push_back({static_cast<std::uint32_t>(i), all_sides(blockers_[i])});
     }
-    const bool ended = visit(root, candidates);
+    bool ended = visit(root, candidates);
+    while (!ended && !frames_.empty()) ended = advance();
+    frames_.clear();
     return gave_up_ ? SubtractionOutcome::kGaveUp
            : ended  ? SubtractionOutcome::kEnded
                     : SubtractionOutcome::kDone;
@@ -72,13 +75,13 @@ class Subtraction {
   class Table {
    public:
     explicit Table(const Cell<D>& cell) : n_(cell.size()), values_((D + 2) * n_) {
-      for (std::size_t i = 0; i < n_; ++i) {
-        const auto& ray = cell.ray(i)->approximate();
-        for (std::size_t k = 0; k < D; ++k) values_[k * n_ + i] = ray.x[k];
-        values_[D * n_ + i] = VectorPool<D>::bound(1, 0, ray.size, ray.error, VectorPool<D>::kUnit);
-        values_[(D + 1) * n_ + i] =
-            VectorPool<D>::bound(0, 1, ray.size, ray.error, VectorPool<D>::kUnit);
-      }
+      for (std::size_t i = 0; i < n_; ++i) set(i, cell.ray(i)->approximate());
+    }
+    void set(std::size_t i, const Approximation<D, double>& ray) {
+      for (std::size_t k = 0; k < D; ++k) values_[k * n_ + i] = ray.x[k];
+      values_[D * n_ + i] = VectorPool<D>::bound(1, 0, ray.size, ray.error, VectorPool<D>::kUnit);
+      values_[(D + 1) * n_ + i] =
+          VectorPool<D>::bound(0, 1, ray.size, ray.error, VectorPool<D>::kUnit);
     }
     /// Scalar products of a vector with all rays, and bounds on their errors.
     void multiply(const Approximation<D, double>& f, double* __restrict products,
@@ -109,7 +112,7 @@ class Subtraction {
   };
 
   /// Signs of a side on all rays.
-  void evaluate(const Cell<D>& cell, const Table& table, const Side<D>& side, Signs& signs) {
+  void evaluate(const Cell<D>& cell, Table& table, const Side<D>& side, Signs& signs) {
     const std::size_t n = cell.size();
     products_.resize(n);
     bounds_.resize(n);
@@ -131,7 +134,11 @@ class Subtraction {
         if (signs.of_ray[i] != 0) continue;
         --pool_.statistics().filtered_signs;
         if (cell.is_known_zero(i, side.functional)) continue;
-        const int sign = side.sign * pool_.exact_sign(*side.functional, *cell.ray(i));
+        const LazyVector<D>& ray = *cell.ray(i);
+        const bool sharper = pool_.sharpen(ray);
+        if (sharper) table.set(i, ray.approximate());
+        const int sign = side.sign * (sharper ? pool_.sign_of_product(*side.functional, ray)
+                                              : pool_.exact_sign(*side.functional, ray));
         signs.of_ray[i] = static_cast<std::int8_t>(sign);
         positive |= sign > 0;
         negative |= sign < 0;
@@ -141,14 +148,21 @@ class Subtraction {
     signs.negative = negative;
   }
 
-  /// True to end the search.
+  /// A cell from which one blocker is being subtracted, and what else may meet its parts.
+  struct Frame {
+    Cell<D> cell;
+    Candidate chosen;
+    SmallList<Candidate, 16> others;
+  };
+
+  /// Looks at a cell: it is forgotten, free, covered, or becomes a frame. True to end the search.
   bool visit(const Cell<D>& cell, std::span<const Candidate> candidates) {
     if (cells_left_ == 0) return gave_up_ = true;
     --cells_left_;
     ++pool_.statistics().cells;
     if (!rules_.holds_anything(cell)) return false;
     const std::size_t n = cell.size();
-    const Table table(cell);
+    Table table(cell);
     SmallList<Candidate, 64> left;
     std::size_t best = 0, most = 0;
     Signs signs;
@@ -181,51 +195,61 @@ class Subtraction {
 
     const Candidate chosen = left[best];
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
-    return subtract(cell, chosen, left);
+    frames_.push_back(std::make_unique<Frame>(Frame{cell, chosen, {left.begin(), left.end()}}));
+    return false;
   }
 
-  /// Visits what the chosen blocker leaves of the cell: one part for each side that cuts it.
-  bool subtract(Cell<D> cell, Candidate chosen, std::span<const Candidate> others) {
-    const Blocker<D>& blocker = blockers_[chosen.blocker];
+  /// Cuts off the frame's cell what lies outside one side of the chosen blocker, the one with most
+  /// rays outside; what is inside all sides is blocked. True to end the search.
+  bool advance() {
+    Frame& frame = *frames_.back();
+    const Blocker<D>& blocker = blockers_[frame.chosen.blocker];
+    Table table(frame.cell);
     Signs signs, best_signs;
-    while (true) {
-      const Table table(cell);
-      const Side<D>* best = nullptr;
-      std::size_t most = 0;
-      for (std::uint64_t sides = chosen.sides; sides != 0; sides &= sides - 1) {
-        const int k = std::countr_zero(sides);
-        const Side<D>& side = blocker.sides[static_cast<std::size_t>(k)];
-        evaluate(cell, table, side, signs);
-        if (!signs.positive) return visit(cell, others);  // what is left lies outside
-        if (!signs.negative) {
-          chosen.sides &= ~(std::uint64_t{1} << k);
-          continue;
-        }
-        const auto outside = static_cast<std::size_t>(
-            std::count(signs.of_ray.begin(), signs.of_ray.end(), std::int8_t{-1}));
-        if (best == nullptr || outside > most) {
-          best = &side;
-          most = outside;
-          best_signs = signs;
-        }
+    const Side<D>* best = nullptr;
+    std::size_t most = 0;
+    for (std::uint64_t sides = frame.chosen.sides; sides != 0; sides &= sides - 1) {
+      const int k = std::countr_zero(sides);
+      const Side<D>& side = blocker.sides[static_cast<std::size_t>(k)];
+      evaluate(frame.cell, table, side, signs);
+      if (!signs.positive) {  // all that is left lies outside
+        const std::unique_ptr<Frame> last = std::move(frames_.back());
+        frames_.pop_back();
+        return visit(last->cell, last->others);
       }
-      if (best == nullptr) return false;  // the rest is blocked
-      ++pool_.statistics().splits;
-      cut_ = true;
-      auto& s = best_signs.of_ray;
-      if (best->sign < 0) {
-        for (std::int8_t& sign : s) sign = static_cast<std::int8_t>(-sign);
+      if (!signs.negative) {
+        frame.chosen.sides &= ~(std::uint64_t{1} << k);
+        continue;
       }
-      const auto made = cell.cut_rays(pool_, best->functional, s);
-      const Cell<D> outside = cell.part(best->functional, s, -best->sign, made);
-      cell = cell.part(best->functional, s, best->sign, made);
-      if (visit(outside, others)) return true;
+      const auto outside = static_cast<std::size_t>(
+          std::count(signs.of_ray.begin(), signs.of_ray.end(), std::int8_t{-1}));
+      if (best == nullptr || outside > most) {
+        best = &side;
+        most = outside;
+        best_signs = signs;
+      }
     }
+    if (best == nullptr) {
+      frames_.pop_back();
+      return false;
+    }
+    ++pool_.statistics().splits;
+    cut_ = true;
+    auto& of_functional = best_signs.of_ray;
+    if (best->sign < 0) {
+      for (std::int8_t& sign : of_functional) sign = static_cast<std::int8_t>(-sign);
+    }
+    const auto made = frame.cell.cut_rays(pool_, best->functional, of_functional);
+    const Cell<D> outside = frame.cell.part(best->functional, of_functional, -best->sign, made);
+    frame.cell = frame.cell.part(best->functional, of_functional, best->sign, made);
+    return visit(outside, frame.others);
   }
 
   VectorPool<D>& pool_;
   std::span<const Blocker<D>> blockers_;
   Rules& rules_;
+  // Depth first, without recursion: as deep as there are blockers.
+  std::vector<std::unique_ptr<Frame>> frames_;
   std::vector<double> products_, bounds_;
   std::uint64_t cells_left_;
   bool gave_up_ = false;

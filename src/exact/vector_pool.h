@@ -191,6 +191,13 @@ class VectorPool {
   static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
   static constexpr double kRoundUp = 1 + 16 * kUnit;
 
+  /// Makes the doubles as good as doubles can be; true if they were not.
+  bool sharpen(const Vector& vector) {
+    if (vector.approximate_.error <= 4 * kUnit) return false;
+    sharpen(writable(vector));
+    return true;
+  }
+
   /// The sign where the filter was not sure.
   template <int Shift = 0>
   int exact_sign(const Vector& a, const Vector& b) {

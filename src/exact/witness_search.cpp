@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "exact/sight_line.h"
 #include "exact/view_cone.h"
 
 namespace viewcover::exact {
@@ -80,7 +79,7 @@ Components interior_vector(const LineCell& cell, RandomNumbers& random) {
 
 }  // namespace
 
-RandomSegments try_random_segments(const ShaftPolygons& shaft, int tries, RandomNumbers& random) {
+RandomSegments try_exact_segments(const ShaftPolygons& shaft, int tries, RandomNumbers& random) {
   RandomSegments result;
   for (int i = 0; i < tries && !(result.witness && result.any_blocked); ++i) {
     Witness segment{random_weights(shaft.region.size(), random),
@@ -99,6 +98,43 @@ RandomSegments try_random_segments(const ShaftPolygons& shaft, int tries, Random
   return result;
 }
 
+namespace {
+
+RationalPoint rational_point(const Point& p) {
+  return {CGAL::Gmpq(p.x()), CGAL::Gmpq(p.y()), CGAL::Gmpq(p.z())};
+}
+
+/// Weights of a point of the polygon given exactly: a triangle of its fan that holds it, with
+/// weights rounded, and next to nothing for the other corners.
+std::vector<double> exact_interior_weights(std::span<const Point> polygon,
+                                           const RationalPoint& point) {
+  const Point normal = area_vector(polygon);
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  const auto u = static_cast<std::size_t>((axis + 1) % 3),
+             v = static_cast<std::size_t>((axis + 2) % 3);
+  const auto twice_area = [&](const RationalPoint& a, const RationalPoint& b,
+                              const RationalPoint& c) -> CGAL::Gmpq {
+    return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+  };
+  const RationalPoint a = rational_point(polygon[0]);
+  std::vector<double> weights(polygon.size(), 0x1p-200);
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const RationalPoint b = rational_point(polygon[k]), c = rational_point(polygon[k + 1]);
+    const CGAL::Gmpq whole = twice_area(a, b, c);
+    const CGAL::Gmpq at_a = twice_area(point, b, c) / whole, at_b = twice_area(a, point, c) / whole;
+    const CGAL::Gmpq at_c = 1 - at_a - at_b;
+    if (at_a < 0 || at_b < 0 || at_c < 0) continue;
+    weights[0] += CGAL::to_double(at_a);
+    weights[k] += CGAL::to_double(at_b);
+    weights[k + 1] += CGAL::to_double(at_c);
+    break;
+  }
+  return weights;
+}
+
+}  // namespace
+
 std::optional<Witness> witness_in_parts(const ShaftPolygons& shaft,
                                         const std::vector<double>& region_weights,
                                         std::span<const RationalPolygon> parts) {
@@ -114,8 +150,13 @@ std::optional<Witness> witness_in_parts(const ShaftPolygons& shaft,
         for (std::size_t k = 0; k < 3; ++k) point[k] += weight * corner[k];
       }
       for (CGAL::Gmpq& x : point) x /= total;
-      Witness witness{region_weights, exact_interior_weights(shaft.element, point)};
-      if (classify_segment(shaft, witness) == SegmentKind::kSightLine) return witness;
+      const Point rounded(CGAL::to_double(point[0]), CGAL::to_double(point[1]),
+                          CGAL::to_double(point[2]));
+      for (auto&& weights : {interior_weights(shaft.element, rounded),
+                             exact_interior_weights(shaft.element, point)}) {
+        Witness witness{region_weights, weights};
+        if (classify_segment(shaft, witness) == SegmentKind::kSightLine) return witness;
+      }
     }
   }
   return std::nullopt;

@@ -4,7 +4,6 @@
 
 #include "exact/real_lines.h"
 #include "exact/shaft_parts.h"
-#include "exact/sight_query.h"
 #include "exact/view_cone.h"
 #include "scene/random_numbers.h"
 
@@ -16,8 +15,8 @@ struct RandomSegments {
   bool any_blocked = false;        ///< one was met by an occluder: not fully visible
 };
 
-/// Tries up to `tries` random segments; ends when it has seen both kinds.
-RandomSegments try_random_segments(const ShaftPolygons& shaft, int tries, RandomNumbers& random);
+/// Tries up to `tries` random segments, classified exactly; ends when it has seen both kinds.
+RandomSegments try_exact_segments(const ShaftPolygons& shaft, int tries, RandomNumbers& random);
 
 /// A sight line from a cell that no blocker meets: real lines between points of the cell on which
 /// the Klein form has opposite signs, rounded and confirmed. Where rounding spoils all of them, the

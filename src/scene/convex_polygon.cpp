@@ -143,6 +143,20 @@ bool is_strictly_convex(std::span<const Point> loop) {
   return direction_changes == 2;  // more: it winds round more than once
 }
 
+std::vector<std::size_t> turning_corners(std::span<const Point> loop) {
+  const std::size_t n = loop.size();
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point &before = loop[(i + n - 1) % n], &here = loop[i], &after = loop[(i + 1) % n];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (turn(before, here, after, axis) == 0) continue;
+      corners.push_back(i);
+      break;
+    }
+  }
+  return corners;
+}
+
 std::array<ConvexPolygon, 4> quarters(const ConvexPolygon& p) {
   if (p.size() == 3) {
     const Point ab = midpoint(p[0], p[1]), bc = midpoint(p[1], p[2]), ca = midpoint(p[2], p[0]);

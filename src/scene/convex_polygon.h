@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "scene/address.h"
 #include "scene/small_list.h"
@@ -31,6 +32,9 @@ int projection_axis(std::span<const Point> loop);
 bool is_planar(std::span<const Point> loop);
 /// True iff the planar loop is simple and every corner turns the same strict way, decided exactly.
 bool is_strictly_convex(std::span<const Point> loop);
+
+/// The corners at which the loop does not run straight on, as places in it; decided exactly.
+std::vector<std::size_t> turning_corners(std::span<const Point> loop);
 
 /// The four quarters of a polygon by exact midpoints (1 further bit a coordinate and level for
 /// triangles and parallelograms, 2 for other quadrilaterals). They tile the polygon and are

@@ -1,4 +1,4 @@
-#include "exact/sight_line.h"
+#include "links/sight_line.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 
-namespace viewcover::exact {
+#include "scene/convex_polygon.h"
+
+namespace viewcover {
 namespace {
 
 using Interval = CGAL::Interval_nt<false>;
@@ -197,35 +199,7 @@ std::vector<double> interior_weights(std::span<const Point> polygon, const Point
   return best;
 }
 
-std::vector<double> exact_interior_weights(std::span<const Point> polygon,
-                                           const RationalPoint& point) {
-  const Point normal = area_vector(polygon);
-  Eigen::Index axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);
-  const auto u = static_cast<std::size_t>((axis + 1) % 3),
-             v = static_cast<std::size_t>((axis + 2) % 3);
-  const auto twice_area = [&](const RationalPoint& a, const RationalPoint& b,
-                              const RationalPoint& c) -> Rational {
-    return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
-  };
-  const RationalPoint a = coordinates<Rational>(polygon[0]);
-  std::vector<double> weights(polygon.size(), 0x1p-200);
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const RationalPoint b = coordinates<Rational>(polygon[k]),
-                        c = coordinates<Rational>(polygon[k + 1]);
-    const Rational whole = twice_area(a, b, c);
-    const Rational at_a = twice_area(point, b, c) / whole, at_b = twice_area(a, point, c) / whole;
-    const Rational at_c = 1 - at_a - at_b;
-    if (at_a < 0 || at_b < 0 || at_c < 0) continue;
-    weights[0] += CGAL::to_double(at_a);
-    weights[k] += CGAL::to_double(at_b);
-    weights[k + 1] += CGAL::to_double(at_c);
-    break;
-  }
-  return weights;
-}
-
-Point combination(std::span<const Point> corners, std::span<const double> weights) {
+Point weighted_point(std::span<const Point> corners, std::span<const double> weights) {
   Point sum = Point::Zero();
   double total = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -248,4 +222,4 @@ SegmentKind classify_segment(const ShaftPolygons& shaft, const Witness& witness)
                   witness.element_weights);
 }
 
-}  // namespace viewcover::exact
+}  // namespace viewcover
