@@ -500,6 +500,7 @@ class VectorPool {
     long highest = std::numeric_limits<long>::min();
     for (std::size_t i = 0; i < D; ++i) {
       const BigInteger& x = (*vector.big_)[i];
+      result.x[i] = 0;
       if (sign(x) == 0) continue;
       const auto bits = static_cast<long>(mpz_sizeinbase(x.mpz(), 2));
       const long drop = std::max(bits - 112, 0L);

@@ -1385,7 +1385,7 @@ struct Effort {
   std::size_t points = 0, lines = 0;
 };
 
-/// The decision in numbers of type N. Throws Undecided; exactly only beyond 100,000 points of R.
+/// The decision in numbers of type N. Throws Undecided; if N is exact, only after 100,000 points.
 template <class N>
 bool sees(const SightQuery& query, Effort* effort = nullptr) {
   const Corners<N> region = corners_of<N>(query.region), element = corners_of<N>(query.element);
