@@ -12,8 +12,8 @@ namespace {
 // Random segments before a decision: enough for most pairs that see each other, and little beside
 // a decision.
 constexpr int kSegments = 16;
-// Cells that a shaft may cost that will be subdivided anyway.
-constexpr std::uint64_t kCheapCells = 32;
+// Cells that a shaft may cost that will be subdivided anyway: hidden once is hidden for all parts.
+constexpr std::uint64_t kCheapCells = 1000;
 
 }  // namespace
 

@@ -133,12 +133,16 @@ class Subtraction {
       for (std::size_t i = 0; i < n; ++i) {
         if (signs.of_ray[i] != 0) continue;
         --pool_.statistics().filtered_signs;
-        if (cell.is_known_zero(i, side.functional)) continue;
         const LazyVector<D>& ray = *cell.ray(i);
+        if (cell.is_known_zero(i, side.functional) ||
+            VectorPool<D>::is_known_zero(ray, *side.functional)) {
+          continue;
+        }
         const bool sharper = pool_.sharpen(ray);
         if (sharper) table.set(i, ray.approximate());
         const int sign = side.sign * (sharper ? pool_.sign_of_product(*side.functional, ray)
                                               : pool_.exact_sign(*side.functional, ray));
+        if (sign == 0) pool_.note_zero(ray, *side.functional);
         signs.of_ray[i] = static_cast<std::int8_t>(sign);
         positive |= sign > 0;
         negative |= sign < 0;

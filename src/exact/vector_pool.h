@@ -10,6 +10,7 @@
 
 #include "exact/integers.h"
 #include "exact/statistics.h"
+#include "scene/small_list.h"
 
 namespace viewcover::exact {
 
@@ -47,6 +48,7 @@ class LazyVector {
 
   void reset() {
     points_ = 0;
+    zeros_.clear();
     negated_ = false;
     exact_ = Exact::kUnknown;
     quad_.reset();
@@ -62,6 +64,7 @@ class LazyVector {
   const LazyVector* second_ = nullptr;
   const LazyVector* cut_ = nullptr;
   std::uint64_t points_ = 0;
+  SmallList<const LazyVector*, 4> zeros_;  // some of what the scalar product with is known to be 0
   bool negated_ = false;
   Role role_ = Role::kRay;
   Exact exact_ = Exact::kUnknown;
@@ -117,6 +120,9 @@ class VectorPool {
   const Vector* combine(const Vector* first, const Vector* second, const Vector* cut) {
     Vector& result = new_vector(first->role_);
     result.points_ = first->points_ & second->points_;
+    for (const Vector* zero : first->zeros_) {
+      if (is_known_zero(*second, *zero)) result.zeros_.push_back(zero);
+    }
     result.first_ = first;
     result.second_ = second;
     result.cut_ = cut;
@@ -190,6 +196,15 @@ class VectorPool {
   }
   static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
   static constexpr double kRoundUp = 1 + 16 * kUnit;
+
+  /// Remembers that the scalar product is 0. It then is for combinations of such vectors too.
+  void note_zero(const Vector& vector, const Vector& functional) {
+    writable(vector).zeros_.push_back(&functional);
+  }
+  static bool is_known_zero(const Vector& vector, const Vector& functional) {
+    return std::find(vector.zeros_.begin(), vector.zeros_.end(), &functional) !=
+           vector.zeros_.end();
+  }
 
   /// Makes the doubles as good as doubles can be; true if they were not.
   bool sharpen(const Vector& vector) {
