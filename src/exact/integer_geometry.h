@@ -13,6 +13,9 @@
 
 namespace viewcover::exact {
 
+template <class Number>
+struct HomogeneousPoint;
+
 /// Turns doubles into integers: multiples of one power of two, relative to an origin. Exact.
 ///
 /// Number is CheckedWide, where coordinates span few enough bits, or BigInteger.
@@ -31,6 +34,13 @@ class IntegerFrame {
     const CGAL::Gmpq step = lowest_ >= 0 ? CGAL::Gmpq(power_of_two(lowest_), BigInteger(1))
                                          : CGAL::Gmpq(BigInteger(1), power_of_two(-lowest_));
     return x * step + CGAL::Gmpq(origin_[static_cast<Eigen::Index>(axis)]);
+  }
+
+  /// A point in units of 2^bits(), rounded.
+  template <class Number>
+  Point unit_point(const HomogeneousPoint<Number>& p) const {
+    const double unit = std::ldexp(to_double(p.w), bits());
+    return {to_double(p.x[0]) / unit, to_double(p.x[1]) / unit, to_double(p.x[2]) / unit};
   }
 
   /// Integers have at most so many bits, one more relative to an origin.

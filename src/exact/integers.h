@@ -115,6 +115,8 @@ class CheckedWide {
 };
 
 inline int sign(CheckedWide x) { return sign(x.value()); }
+inline double to_double(CheckedWide x) { return static_cast<double>(x.value()); }
+inline double to_double(const BigInteger& x) { return x.to_double(); }
 inline BigInteger to_big(CheckedWide x) { return to_big(x.value()); }
 
 }  // namespace viewcover::exact

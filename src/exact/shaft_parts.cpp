@@ -55,6 +55,9 @@ class EdgeLines {
   std::vector<Entry> entries_;  // open addressing, a power of two, never more than half full
 };
 
+// Samples cost more than they save below, and pay for more of them above.
+constexpr std::size_t kFewOccluders = 32, kManyOccluders = 128, kFewSamples = 64;
+
 template <class Number>
 class ShaftCutter {
  public:
@@ -157,6 +160,7 @@ class ShaftCutter {
     result.origin = frame_.origin();
     result.unit_exponent = frame_.unit_exponent();
     result.roots = roots(region, element, from, to);
+    add_samples(region, element, result);
     for (const Occluder& occluder : occluders_) {
       const Sides near = Sides::of<Number>(occluder.plane, region);
       const Sides far = Sides::of<Number>(occluder.plane, element);
@@ -173,6 +177,35 @@ class ShaftCutter {
       }
     }
     return result;
+  }
+
+  /// Every sample is held against every blocker.
+  void add_samples(const Polygon& region, const Polygon& element, ShaftPart& part) const {
+    RandomNumbers random(1);
+    const std::size_t count = occluders_.size() < kFewOccluders    ? 0
+                              : occluders_.size() < kManyOccluders ? kFewSamples
+                                                                   : SampleSet::kMost;
+    const auto unit_points = [&](const Polygon& polygon) {
+      std::vector<Point> points;
+      for (const auto& corner : polygon) points.push_back(frame_.unit_point(corner));
+      return points;
+    };
+    const std::vector<Point> from = unit_points(region), to = unit_points(element);
+    const auto random_point = [&](const std::vector<Point>& corners) {
+      Point sum = Point::Zero();
+      double total = 0;
+      for (const Point& corner : corners) {
+        const double weight = -std::log(random.open_unit());
+        sum += weight * corner;
+        total += weight;
+      }
+      return Point(sum / total);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point a = random_point(from), b = random_point(to);
+      const Point d = b - a, m = a.cross(b);
+      part.samples.push_back({d.x(), d.y(), d.z(), m.x(), m.y(), m.z()});
+    }
   }
 
   /// The side of the occluder's plane on which a line meets the plane `other`, as a functional on

@@ -19,6 +19,8 @@ struct ShaftPart {
   std::vector<LineCell> roots;
   std::vector<LineBlocker> blockers;
   std::vector<std::size_t> occluder_of_blocker;
+  /// Random lines from region to element, rounded, uniform over triangles.
+  std::vector<std::array<double, 6>> samples;
   /// Doubles of lines stand for points (x - origin) / 2^unit_exponent.
   Point origin = Point::Zero();
   int unit_exponent = 0;

@@ -10,7 +10,7 @@ namespace {
 
 /// Random segments tried before the decision: enough for most pairs that see each other, and little
 /// beside a decision.
-constexpr int kRandomSegments = 64;
+constexpr int kRandomSegments = 96;
 
 /// Ends at the first free cell that holds a real line.
 struct FirstSightLine {
@@ -69,7 +69,8 @@ Verdict decide_by_cells(LinePool& pool, const ShaftPolygons& shaft, const Decisi
     if (!visible) {
       for (const LineCell& root : part.roots) {
         FirstSightLine rules{pool};
-        Subtraction<6, FirstSightLine> subtraction(pool, part.blockers, rules, options.most_cells);
+        Subtraction<6, FirstSightLine> subtraction(pool, part.blockers, rules, part.samples,
+                                                   options.most_cells);
         const auto outcome = subtraction.run(root);
         if (outcome == SubtractionOutcome::kEnded) {
           visible = true;
