@@ -184,7 +184,7 @@ TEST(BadOptions, AreRefusedInOneLine) {
       {{"--seed", "18446744073709551616"}, "--seed"},
       {{"--lattice", "1000000"}, "--lattice"},
       {{"--sampling", "halton"}, "use plain or stratified"},
-      {{"--backend", "exact"}, "--backend exact: not in this version; use rays"},
+      {{"--backend", "cells"}, "--backend cells: not in this version; use exact or rays"},
       {{"--optimizer", "tabu"}, "--optimizer tabu: not in this version; use sa"},
       {{"--viewpoints", "sa"}, "--viewpoints sa: not in this version; use none"},
       {{"--coverage", "full"}, "--coverage full: not in this version; use elements"},

@@ -114,6 +114,10 @@ class RoomFolder {
                 Process::Limits limits = {}) const {
     std::vector<std::string> arguments = {"solve",  scene(), "--region",
                                           region(), "-o",    bundle(name)};
+    // Random rays unless asked otherwise: the quickest way to a bundle.
+    if (std::ranges::find(more, "--backend") == more.end()) {
+      arguments.insert(arguments.end(), {"--backend", "rays"});
+    }
     arguments.insert(arguments.end(), more.begin(), more.end());
     return viewcover_run(arguments, limits);
   }

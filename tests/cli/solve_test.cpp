@@ -182,6 +182,37 @@ TEST(Solve, OtherSeedOtherLinks) {
   EXPECT_EQ(run_json(room.bundle("two")).at("seed"), 2);
 }
 
+TEST(Solve, ExactIsTheDefaultAndGivesALowerBound) {
+  const RoomFolder room;
+  const std::string bundle = room.bundle();
+  const Outcome outcome = viewcover_run({"solve", room.scene(), "--region", room.region(),
+                                         "--regions", "16", "--quiet", "-o", bundle});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const Json summary = Json::parse(last_line(outcome.out));
+  EXPECT_EQ(summary.at("backend"), "exact");
+  EXPECT_GE(summary.at("lower_bound"), 1);
+  EXPECT_LE(summary.at("lower_bound"), summary.at("optimal_regions"));
+  const Json run = run_json(bundle);
+  EXPECT_EQ(run.at("verdicts").at("hidden_all_rays_blocked"), 0);
+  EXPECT_EQ(run.at("verdicts").at("assumed_visible"), 0);
+  EXPECT_GT(run.at("verdicts").at("hidden_by_set"), 0);
+  EXPECT_GT(run.at("backend_statistics").at("witnesses_confirmed"), 0);
+  EXPECT_EQ(run.at("backend_statistics").at("witnesses_not_found"), 0);
+}
+
+TEST(Solve, ExactVisibilityDependsOnNoSeedAndNoThreads) {
+  const RoomFolder room;
+  const auto matrix_with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> options = {"--backend", "exact", "--regions", "16", "--quiet"};
+    options.insert(options.end(), more.begin(), more.end());
+    EXPECT_EQ(room.solve("bundle", options).exit_code, 0);
+    return read_file(room.bundle() + "/visibility.mtx");
+  };
+  const std::string one = matrix_with({"--threads", "1"});
+  EXPECT_EQ(one, matrix_with({"--threads", "2"}));
+  EXPECT_EQ(one, matrix_with({"--seed", "2"}));
+}
+
 TEST(Solve, OptionsReachTheRun) {
   const RoomFolder room;
   const Outcome outcome = room.solve(

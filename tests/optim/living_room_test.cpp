@@ -37,7 +37,7 @@ void expect_optimum(const std::string& detail, const std::string& regions,
     SCOPED_TRACE("seed " + seed);
     const Outcome outcome =
         viewcover_run({"solve", scene, "--region", folder.path() / "room.region.json", "--regions",
-                       regions, "--seed", seed, "--quiet", "-o", bundle});
+                       regions, "--seed", seed, "--backend", "rays", "--quiet", "-o", bundle});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
     const BitRows matrix = read_matrix_market(folder.path() / "bundle" / "visibility.mtx");
     const std::size_t optimum = reference::minimum_cover(matrix);
