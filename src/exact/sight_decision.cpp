@@ -28,7 +28,16 @@ struct FirstSightLine {
   }
 };
 
-/// Does the blocker block real lines of the cell? Then its occluder meets the shaft's interior.
+bool any_blocks_anything(LinePool& pool, const ShaftPart& part) {
+  return std::any_of(part.roots.begin(), part.roots.end(), [&](const LineCell& root) {
+    return std::any_of(part.blockers.begin(), part.blockers.end(), [&](const LineBlocker& blocker) {
+      return blocks_anything(pool, root, blocker);
+    });
+  });
+}
+
+}  // namespace
+
 bool blocks_anything(LinePool& pool, LineCell cell, const LineBlocker& blocker) {
   std::vector<std::int8_t> signs;
   for (const Side<6>& side : blocker.sides) {
@@ -47,16 +56,6 @@ bool blocks_anything(LinePool& pool, LineCell cell, const LineBlocker& blocker) 
   }
   return find_real_lines(pool, cell).has_value();
 }
-
-bool any_blocks_anything(LinePool& pool, const ShaftPart& part) {
-  return std::any_of(part.roots.begin(), part.roots.end(), [&](const LineCell& root) {
-    return std::any_of(part.blockers.begin(), part.blockers.end(), [&](const LineBlocker& blocker) {
-      return blocks_anything(pool, root, blocker);
-    });
-  });
-}
-
-}  // namespace
 
 Verdict decide_by_cells(LinePool& pool, const ShaftPolygons& shaft, const DecisionOptions& options,
                         const OnFreeCell& on_free) {

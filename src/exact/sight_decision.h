@@ -28,6 +28,9 @@ using OnFreeCell = std::function<void(const ShaftPart&, const LineCell&, const R
 Verdict decide_by_cells(LinePool& pool, const ShaftPolygons& shaft, const DecisionOptions& options,
                         const OnFreeCell& on_free);
 
+/// Does the blocker block real lines of the cell? Then its occluder meets the shaft's interior.
+bool blocks_anything(LinePool& pool, LineCell cell, const LineBlocker& blocker);
+
 /// Is there a sight line through the shaft? Exact; a witness comes with a visible verdict. Random
 /// segments first: what they show needs no decision.
 SightAnswer decide_shaft(const ShaftPolygons& shaft);

@@ -45,7 +45,7 @@ TEST(Solve, LastLineIsTheSummary) {
   EXPECT_GT(summary.at("peak_memory_kb"), 0);
   EXPECT_TRUE(is_complete(room.bundle()));
   EXPECT_THAT(outcome.out, HasSubstr("visibility evaluations"));
-  EXPECT_EQ(outcome.error, "");
+  EXPECT_THAT(outcome.error, ::testing::Not(HasSubstr("viewcover:")));  // progress at most
 }
 
 TEST(Solve, QuietPrintsTheSummaryOnly) {
