@@ -10,6 +10,7 @@
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/sight_json.h"
+#include "app/skeleton_json.h"
 #include "approx/ray_query.h"
 #include "optim/stopwatch.h"
 #include "scene/error.h"
@@ -23,19 +24,22 @@ constexpr int kSomeBad = 2;
 struct SeesText {
   CommonOptions common;
   std::string file, backend = "exact", rays = "16";
-  bool one_sided = false;
+  bool one_sided = false, skeleton = false;
 };
 
 struct SeesOptions {
   bool exact = true;
   int rays = 16;
   std::uint64_t seed = 1;
-  bool one_sided = false;
+  bool one_sided = false, skeleton = false;
 
-  explicit SeesOptions(const SeesText& text) : one_sided(text.one_sided) {
+  explicit SeesOptions(const SeesText& text) : one_sided(text.one_sided), skeleton(text.skeleton) {
     using namespace std::string_view_literals;
     require_available("--backend", text.backend, std::array{"exact"sv, "rays"sv});
     exact = text.backend == "exact";
+    if (skeleton && !exact) {
+      throw InputError("--skeleton", "is exact; random rays find none", "use --backend exact");
+    }
     rays = integer_option("--rays", text.rays, 1, 1'000'000);
     seed = count_option("--seed", text.common.seed, 0, UINT64_MAX);
     if (!text.common.threads.empty()) count_option("--threads", text.common.threads, 1, 1024);
@@ -67,10 +71,23 @@ SightAnswer ask_rays(const ReadQuery& read, const SeesOptions& options) {
   return answer;
 }
 
+Json skeleton(const ReadQuery& read) {
+  if (read.from_viewpoint) {
+    throw InputError("viewpoint", "has no skeleton", "give a region");
+  }
+  return to_json(visibility_skeleton(read.query));
+}
+
 Json answer(const Json& object, const SeesOptions& options) {
   const Stopwatch time;
   ReadQuery read = read_query(object);
   read.query.one_sided = options.one_sided;
+  if (options.skeleton) {
+    Json json = {{"id", read.id}};
+    json.update(skeleton(read));
+    json["ms"] = 1e3 * time.seconds();
+    return json;
+  }
   PointAnswer found;
   if (!options.exact) {
     static_cast<SightAnswer&>(found) = ask_rays(read, options);
@@ -134,6 +151,8 @@ void add_sees_command(CLI::App& app, int& exit_code) {
   command->add_option("--rays", text->rays, "random rays a query (default: 16)")->type_name("N");
   command->add_flag("--one-sided", text->one_sided,
                     "only the front of an element counts as visible");
+  command->add_flag("--skeleton", text->skeleton,
+                    "instead of verdicts: the visibility skeleton of each shaft as a graph");
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = sees(*text); });
 }

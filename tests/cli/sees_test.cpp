@@ -158,5 +158,83 @@ TEST_F(Sees, AMissingFileIsRefused) {
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1);
 }
 
+/// Two squares without occluder: every pair of corners is a node, and each corner with each edge of
+/// the other square an arc.
+TEST_F(Sees, SkeletonIsAGraph) {
+  const auto answers = ask(query("7", kSquares), 0, {"--skeleton"});
+  ASSERT_EQ(answers.size(), 1u);
+  const Json& graph = answers[0];
+  EXPECT_EQ(graph.at("id"), 7);
+  EXPECT_GE(graph.at("ms"), 0);
+  ASSERT_EQ(graph.at("nodes").size(), 16u);
+  ASSERT_EQ(graph.at("arcs").size(), 32u);
+  for (const Json& node : graph.at("nodes")) {
+    EXPECT_EQ(node.at("kind"), "VV");
+    ASSERT_EQ(node.at("line").size(), 6u);
+    ASSERT_EQ(node.at("rounded").size(), 6u);
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_EQ(std::stod(node.at("line")[k].get<std::string>()), node.at("rounded")[k]);
+    }
+    const Json &start = node.at("generators").at(0), &end = node.at("generators").at(1);
+    EXPECT_EQ(start.at("polygon"), "region");
+    EXPECT_EQ(end.at("polygon"), "element");
+    EXPECT_EQ(
+        node.at("from"),
+        Json::parse("[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]").at(start.at("vertex").get<std::size_t>()));
+  }
+  for (const Json& arc : graph.at("arcs")) {
+    EXPECT_EQ(arc.at("kind"), "VE");
+    for (const std::size_t end : arc.at("nodes")) EXPECT_LT(end, 16u);
+  }
+}
+
+TEST_F(Sees, SkeletonNamesOccluders) {
+  const auto answers =
+      ask(query("1", std::string(kSquares) +
+                         R"(, "occluders": [[[-9,-9,1],[0.5,-9,1],[0.5,9,1],[-9,9,1]]])") +
+              query("2", std::string(kSquares) +
+                             R"(, "occluders": [[[-9,-9,1],[9,-9,1],[9,9,1],[-9,9,1]]])"),
+          0, {"--skeleton"});
+  ASSERT_EQ(answers.size(), 2u);
+  bool any = false;
+  for (const Json& node : answers[0].at("nodes")) {
+    for (const Json& generator : node.at("generators")) {
+      if (generator.at("polygon") != "occluder") continue;
+      any = true;
+      EXPECT_EQ(generator.at("occluder"), 0);
+      EXPECT_EQ(generator.at("edge"), 1);
+    }
+  }
+  EXPECT_TRUE(any);
+  EXPECT_TRUE(answers[1].at("nodes").empty());
+}
+
+/// Four edges in general position have transversals with roots in their coordinates.
+TEST_F(Sees, SkeletonWritesRoots) {
+  const auto answers = ask(
+      R"({"id": 1, "region": [[-64,-64,0],[64,-64,0],[0,64,0]], "element": [[-64,-64,8],[64,-64,8],[0,64,8]],)"
+      R"( "occluders": [[[-8,0,1],[8,0,1],[8,-8,1]], [[0,-8,2],[0,8,2],[-8,8,2]],)"
+      R"( [[-8,-8,3],[8,8,3],[8,-8,3]], [[-8,1,-4],[8,1,12],[8,9,12]]]})"
+      "\n",
+      0, {"--skeleton"});
+  ASSERT_EQ(answers.size(), 1u);
+  bool any = false;
+  for (const Json& node : answers[0].at("nodes")) {
+    for (const std::string component : node.at("line")) {
+      if (component.find("sqrt(") != std::string::npos) any = true;
+    }
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST_F(Sees, SkeletonNeedsARegion) {
+  const auto answers =
+      ask(R"({"id": 1, "viewpoint": [0,0,0], "element": [[-1,-1,2],[1,-1,2],[1,1,2]]})"
+          "\n",
+          2, {"--skeleton"});
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_THAT(answers[0].at("error").get<std::string>(), HasSubstr("viewpoint: has no skeleton"));
+}
+
 }  // namespace
 }  // namespace viewcover::testing
