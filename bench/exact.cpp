@@ -27,13 +27,15 @@ double seconds_since(Clock::time_point start) {
 }
 
 void report_stages(benchmark::State& state, const ExactStatistics& sum, double queries) {
-  const double signs = static_cast<double>(sum.filtered_signs + sum.fixed_width_signs +
-                                           sum.quad_signs + sum.big_integer_signs);
+  const double in_floats = static_cast<double>(sum.single_signs + sum.filtered_signs),
+               signs = in_floats + static_cast<double>(sum.fixed_width_signs + sum.quad_signs +
+                                                       sum.big_integer_signs);
   state.counters["cells"] = static_cast<double>(sum.cells) / queries;
   state.counters["splits"] = static_cast<double>(sum.splits) / queries;
   state.counters["signs"] = signs / queries;
-  state.counters["beyond_double_%"] =
-      100 * (signs - static_cast<double>(sum.filtered_signs)) / std::max(signs, 1.0);
+  state.counters["beyond_single_%"] =
+      100 * (signs - static_cast<double>(sum.single_signs)) / std::max(signs, 1.0);
+  state.counters["beyond_double_%"] = 100 * (signs - in_floats) / std::max(signs, 1.0);
 }
 
 /// Arguments: triangles, least and most radius in thousandths. Time is the mean of a query.
@@ -72,25 +74,29 @@ BENCHMARK(soups)
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
 
-/// Cost against the occluders that matter: `n` of them, of a size that keeps the share of sight
-/// lines they block about the same. `exponent`: e in time ~ n^e against the first size of this run.
+/// Cost against the occluders that matter. Arguments: triangles, and their least radius in
+/// ten-thousandths, a sixth of the largest: such that about half of the pairs are hidden, by all
+/// triangles together. `exponent`: e in time ~ n^e against the first size of this run.
 void growth(benchmark::State& state) {
   static std::map<std::int64_t, double> mean_by_size;
   const auto count = static_cast<std::size_t>(state.range(0));
-  const double radius = 1.4 / std::sqrt(static_cast<double>(count));
+  const double radius = 1e-4 * static_cast<double>(state.range(1));
   std::uint64_t trial = 0;
-  double total = 0, queries = 0;
+  double total = 0, queries = 0, hidden = 0;
   ExactStatistics sum;
   for (auto _ : state) {
-    const SightQuery query = testing::soup_query(count, radius, 1.5 * radius, ++trial);
+    const SightQuery query = testing::soup_query(count, radius, 6 * radius, ++trial);
     const auto start = Clock::now();
-    sum += decide_from_region(query).statistics;
+    const SightAnswer answer = decide_from_region(query);
     const double seconds = seconds_since(start);
     state.SetIterationTime(seconds);
+    sum += answer.statistics;
+    hidden += !is_visible(answer.verdict);
     total += seconds;
     ++queries;
   }
   report_stages(state, sum, queries);
+  state.counters["hidden_%"] = 100 * hidden / queries;
   mean_by_size[state.range(0)] = total / queries;
   const auto& [first_size, first_mean] = *mean_by_size.begin();
   if (state.range(0) != first_size) {
@@ -100,10 +106,13 @@ void growth(benchmark::State& state) {
   }
 }
 BENCHMARK(growth)
-    ->ArgName("occluders")
-    ->RangeMultiplier(10)
-    ->Range(10, 1000)
-    ->Iterations(40)
+    ->ArgNames({"occluders", "least"})
+    ->Args({10, 2600})
+    ->Args({30, 1510})
+    ->Args({100, 915})
+    ->Args({300, 587})
+    ->Args({1000, 364})
+    ->Iterations(60)
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
 

@@ -7,13 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "exact/vector_pool.h"
-#include "scene/small_list.h"
+#include "exact/ray_table.h"
 
 namespace viewcover::exact {
-
-/// Room for the rays of most cells without allocation.
-inline constexpr std::size_t kUsualRays = 40;
 
 /// A pointed polyhedral cone of full dimension D, as its extreme rays and, for each ray, the set of
 /// inequalities that it satisfies with equality. Those inequalities contain all facets; some may

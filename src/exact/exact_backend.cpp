@@ -51,6 +51,7 @@ Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
         add(confirmed ? kWitnessesConfirmed : kWitnessesNotFound);
       });
   add(verdict == Verdict::kAssumedVisible ? kLeftOpen : kDecidedByCells);
+  add(kSingleSigns, statistics.single_signs);
   add(kFilteredSigns, statistics.filtered_signs);
   add(kFixedWidthSigns, statistics.fixed_width_signs);
   add(kQuadSigns, statistics.quad_signs);
@@ -66,6 +67,7 @@ std::vector<std::pair<std::string, std::uint64_t>> ExactBackend::statistics() co
                                                            "left_open",
                                                            "witnesses_confirmed",
                                                            "witnesses_not_found",
+                                                           "single_signs",
                                                            "filtered_signs",
                                                            "fixed_width_signs",
                                                            "quad_signs",

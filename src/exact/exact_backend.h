@@ -33,6 +33,7 @@ class ExactBackend final : public VisibilityBackend {
     kLeftOpen,
     kWitnessesConfirmed,
     kWitnessesNotFound,
+    kSingleSigns,
     kFilteredSigns,
     kFixedWidthSigns,
     kQuadSigns,

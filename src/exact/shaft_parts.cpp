@@ -184,7 +184,7 @@ class ShaftCutter {
     RandomNumbers random(1);
     const std::size_t count = occluders_.size() < kFewOccluders    ? 0
                               : occluders_.size() < kManyOccluders ? kFewSamples
-                                                                   : SampleSet::kMost;
+                                                                   : Samples<6>::kMost;
     const auto unit_points = [&](const Polygon& polygon) {
       std::vector<Point> points;
       for (const auto& corner : polygon) points.push_back(frame_.unit_point(corner));

@@ -35,33 +35,47 @@ enum class SubtractionOutcome {
   kGaveUp,  ///< more cells than allowed
 };
 
-/// A set of sample vectors, as bits.
-class SampleSet {
+/// Vectors spread over a cell: sets of them, as bits, tell how much a blocker holds.
+template <int D>
+class Samples {
  public:
   static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kWords = kMost / 64;
+  using Set = std::array<std::uint64_t, kWords>;
 
-  void insert(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
-  bool empty() const {
-    return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
+  explicit Samples(std::span<const std::array<double, D>> samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      Approximation<D, double> sample{samples[i]};
+      for (const double x : sample.x) sample.size += std::fabs(x);
+      tables_[i / 64].set(i % 64, sample);
+      all_[i / 64] |= std::uint64_t{1} << (i % 64);
+    }
   }
-  SampleSet intersected(SampleSet other) const {
-    for (std::size_t w = 0; w < words_.size(); ++w) other.words_[w] &= words_[w];
-    return other;
+
+  const Set& all() const { return all_; }
+  /// Those of a set on which a functional is positive, as far as single precision tells.
+  Set on(const SingleRow<D>& side, Set set) const {
+    for (std::size_t w = 0; w < kWords; ++w) {
+      if (set[w] != 0) set[w] &= tables_[w].signs(side).at_least_0;
+    }
+    return set;
   }
-  SampleSet without(SampleSet other) const {
-    for (std::size_t w = 0; w < words_.size(); ++w) other.words_[w] = words_[w] & ~other.words_[w];
-    return other;
+  static Set without(Set set, const Set& others) {
+    for (std::size_t w = 0; w < kWords; ++w) set[w] &= ~others[w];
+    return set;
   }
-  int size_with(const SampleSet& other) const {
+  static int common(const Set& a, const Set& b) {
     int count = 0;
-    for (std::size_t w = 0; w < words_.size(); ++w) {
-      count += std::popcount(words_[w] & other.words_[w]);
+    for (std::size_t w = 0; w < kWords; ++w) {
+      const std::uint64_t both = a[w] & b[w];
+      if (both != 0) count += std::popcount(both);
     }
     return count;
   }
 
  private:
-  std::array<std::uint64_t, kMost / 64> words_{};
+  std::array<RayTable<D>, kWords> tables_;
+  Set all_{};
 };
 
 /// Subtracts blocking cones from a cell, exactly: depth first, the blocker that holds the most of
@@ -74,7 +88,7 @@ class SampleSet {
 template <int D, class Rules>
 class Subtraction {
  public:
-  /// `samples`: at most SampleSet::kMost vectors spread over the root.
+  /// `samples`: at most Samples<D>::kMost vectors spread over the root.
   Subtraction(VectorPool<D>& pool, std::span<const Blocker<D>> blockers, Rules& rules,
               std::span<const std::array<double, D>> samples = {},
               std::uint64_t most_cells = std::numeric_limits<std::uint64_t>::max())
@@ -83,29 +97,35 @@ class Subtraction {
         rules_(rules),
         samples_(samples),
         cells_left_(most_cells) {
-    for (std::size_t i = 0; i < samples.size(); ++i) all_samples_.insert(i);
-    for (std::size_t k = 0; k < D; ++k) {
-      for (const auto& sample : samples) sample_columns_.push_back(sample[k]);
-    }
     for (const Blocker<D>& blocker : blockers) {
       first_side_.push_back(side_rows_.size());
-      for (const Side<D>& side : blocker.sides) side_rows_.push_back(row_of_side(side));
-      held_.push_back(samples_within(blocker));
+      SampleSet held = samples_.all();
+      for (const Side<D>& side : blocker.sides) {
+        side_rows_.push_back(row_of_side(side));
+        single_rows_.push_back(RayTable<D>::row(*side.functional, side.sign));
+        held = samples_.on(single_rows_.back(), held);
+      }
+      held_.push_back(held);
     }
   }
 
   SubtractionOutcome run(const Cell<D>& root) {
-    std::vector<Candidate> candidates;
+    Candidates candidates;
     for (std::size_t i = 0; i < blockers_.size(); ++i) {
-      candidates.push_back({static_cast<std::uint32_t>(i), all_sides(blockers_[i])});
+      candidates.list.push_back({static_cast<std::uint32_t>(i),
+                                 static_cast<std::uint32_t>(first_side_[i]),
+                                 all_sides(blockers_[i])});
     }
+    candidates.known.resize(side_rows_.size());
     // The largest first: they are the likeliest to cover a cell.
-    std::stable_sort(candidates.begin(), candidates.end(), [&](Candidate a, Candidate b) {
-      return held_[a.blocker].size_with(all_samples_) > held_[b.blocker].size_with(all_samples_);
+    std::vector<int> counts;
+    for (const SampleSet& held : held_) counts.push_back(Samples<D>::common(held, held));
+    std::stable_sort(candidates.list.begin(), candidates.list.end(), [&](Candidate a, Candidate b) {
+      return counts[a.blocker] > counts[b.blocker];
     });
-    bool ended = visit(root, all_samples_, candidates);
-    while (!ended && !frames_.empty()) ended = advance();
-    frames_.clear();
+    bool ended = visit(root, RayPlaces(root.size()), 0, samples_.all(), candidates);
+    while (!ended && depth_ > 0) ended = advance();
+    depth_ = 0;
     return gave_up_ ? SubtractionOutcome::kGaveUp
            : ended  ? SubtractionOutcome::kEnded
                     : SubtractionOutcome::kDone;
@@ -114,37 +134,21 @@ class Subtraction {
   std::optional<std::size_t> covering_blocker() const { return covering_blocker_; }
 
  private:
+  using Word = RayPlaces::Word;
+  using SampleSet = typename Samples<D>::Set;
+
   /// A blocker that may meet a cell, and the sides that may cut it: on the others it is >= 0.
   struct Candidate {
     std::uint32_t blocker;
+    std::uint32_t first_known;  // of its sides, one after the other
     std::uint64_t sides;
+  };
+  struct Candidates {
+    std::vector<Candidate> list;
+    std::vector<KnownSigns> known;
   };
   static std::uint64_t all_sides(const Blocker<D>& blocker) {
     return ~std::uint64_t{0} >> (64 - blocker.sides.size());
-  }
-
-  /// The samples on which a side is >= 0, as far as doubles tell.
-  SampleSet samples_on(const Side<D>& side) const {
-    SampleSet on;
-    const std::size_t n = samples_.size();
-    std::array<double, SampleSet::kMost> values{};
-    for (std::size_t k = 0; k < D; ++k) {
-      const double factor = side.sign * side.functional->approximate().x[k];
-      const double* const column = sample_columns_.data() + k * n;
-      for (std::size_t i = 0; i < n; ++i) values[i] += factor * column[i];
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      if (values[i] >= 0) on.insert(i);
-    }
-    return on;
-  }
-  SampleSet samples_within(const Blocker<D>& blocker) const {
-    SampleSet within = all_samples_;
-    for (const Side<D>& side : blocker.sides) {
-      within = within.intersected(samples_on(side));
-      if (within.empty()) break;
-    }
-    return within;
   }
 
   /// What the loops over signs read of a ray or a side, together in memory: the components, and the
@@ -165,9 +169,20 @@ class Subtraction {
     for (double& x : row.x) x *= side.sign;
     return row;
   }
-  void read_rays(const Cell<D>& cell) {
+  void read_rays(const Cell<D>& cell, const RayPlaces& places) {
     ray_rows_.clear();
-    for (const LazyVector<D>* ray : cell.rays()) ray_rows_.push_back(row_of_ray(*ray));
+    rays_without_place_.clear();
+    table_.clear();
+    places_ = &places;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      ray_rows_.push_back(row_of_ray(*cell.ray(i)));
+      if (places[i] < RayPlaces::kMost) {
+        ray_at_[places[i]] = static_cast<std::uint8_t>(i);
+        table_.set(places[i], cell.ray(i)->approximate());
+      } else {
+        rays_without_place_.push_back(i);
+      }
+    }
   }
 
   /// Exact sign of a blocker's side on one ray of the cell that was read last.
@@ -197,28 +212,60 @@ class Subtraction {
     return side.sign * sign;
   }
 
+  /// The same, from what is known if it is.
+  int sign_of(const Cell<D>& cell, std::size_t i, std::uint32_t blocker, std::size_t k,
+              KnownSigns& known) {
+    const std::size_t place = (*places_)[i];
+    if (place >= RayPlaces::kMost) return sign_of(cell, i, blocker, k);
+    if ((known.known() >> place & 1) == 0) known.note(place, sign_of(cell, i, blocker, k));
+    return known.at(place);
+  }
+
+  /// Adds what single precision tells at once.
+  KnownSigns with_certain(const KnownSigns& known, std::uint32_t blocker, std::size_t k) {
+    const KnownSigns more = table_.signs(single_rows_[first_side_[blocker] + k]);
+    pool_.statistics().single_signs +=
+        static_cast<std::uint64_t>(std::popcount(more.known() & ~known.known()));
+    return known.with(more);
+  }
+
   /// The strict signs of a side on the rays, as far as it takes to know which occur.
   struct Occurring {
     bool positive = false, negative = false;
   };
-  Occurring occurring_signs(const Cell<D>& cell, std::uint32_t blocker, std::size_t k) {
-    Occurring signs;
-    for (std::size_t i = 0; i < cell.size() && !(signs.positive && signs.negative); ++i) {
-      const int sign = sign_of(cell, i, blocker, k);
+  Occurring occurring_signs(const Cell<D>& cell, std::uint32_t blocker, std::size_t k,
+                            KnownSigns& known) {
+    Occurring signs{known.any_positive(), known.any_negative()};
+    const auto note = [&](int sign) {
       signs.positive |= sign > 0;
       signs.negative |= sign < 0;
+      return signs.positive && signs.negative;
+    };
+    if (signs.positive && signs.negative) return signs;
+    known = with_certain(known, blocker, k);
+    signs = {known.any_positive(), known.any_negative()};
+    if (signs.positive && signs.negative) return signs;
+    for (Word open = places_->used() & ~known.known(); open != 0; open &= open - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(open));
+      const int sign = sign_of(cell, ray_at_[place], blocker, k);
+      known.note(place, sign);
+      if (note(sign)) return signs;
+    }
+    for (const std::size_t i : rays_without_place_) {
+      if (note(sign_of(cell, i, blocker, k))) break;
     }
     return signs;
   }
 
   /// Rays that lie on no outer side of the candidate's blocker.
-  std::size_t rays_within(const Cell<D>& cell, Candidate candidate) {
+  std::size_t rays_within(const Cell<D>& cell, Candidate candidate, Candidates& all) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < cell.size(); ++i) {
       bool within = true;
+      KnownSigns* known = all.known.data() + candidate.first_known;
       for (std::uint64_t sides = candidate.sides; sides != 0 && within; sides &= sides - 1) {
         const auto k = static_cast<std::size_t>(std::countr_zero(sides));
-        within = sign_of(cell, i, candidate.blocker, k) >= 0;
+        within = sign_of(cell, i, candidate.blocker, k, *known++) >= 0;
       }
       count += within;
     }
@@ -228,47 +275,77 @@ class Subtraction {
   /// A cell from which one blocker is being subtracted, and what else may meet its parts.
   struct Frame {
     Cell<D> cell;
+    RayPlaces places;
+    Word known_places = 0;  // of rays that the cell had when `others` was made
     SampleSet samples;
     Candidate chosen;
-    std::vector<Candidate> others;
+    std::uint64_t passed_sides = 0;  // of the chosen blocker: the cell lies on their inner sides
+    Candidates others;
   };
+  // Frames are used again: what they hold stays allocated.
+  Frame& next_frame() {
+    if (depth_ == frames_.size()) frames_.push_back(std::make_unique<Frame>());
+    return *frames_[depth_++];
+  }
 
   /// Looks at a cell: it is forgotten, free, covered, or becomes a frame. True to end the search.
-  bool visit(const Cell<D>& cell, const SampleSet& samples, std::span<const Candidate> candidates) {
+  /// What is known of the candidates' signs counts at `known_places`. All but the candidates may be
+  /// of the frame that is next.
+  bool visit(const Cell<D>& cell, const RayPlaces& places, Word known_places,
+             const SampleSet& samples, const Candidates& candidates) {
     if (cells_left_ == 0) return gave_up_ = true;
     --cells_left_;
     ++pool_.statistics().cells;
     if (!rules_.holds_anything(cell)) return false;
-    read_rays(cell);
-    std::vector<Candidate> left;
-    left.reserve(candidates.size());
-    for (Candidate candidate : candidates) {
-      const Relation relation = relation_of(cell, candidate);
-      if (relation == Relation::kCovers) {
+    read_rays(cell, places);
+    left_.list.clear();
+    left_.known.clear();
+    left_.list.reserve(candidates.list.size());
+    left_.known.reserve(candidates.known.size());
+    for (const Candidate candidate : candidates.list) {
+      if (!add_if_it_cuts(cell, candidate, candidates, known_places)) {
         if (!cut_) covering_blocker_ = candidate.blocker;
         return false;
       }
-      if (relation == Relation::kCuts) left.push_back(candidate);
     }
-    if (left.empty()) return rules_.on_free(cell);
+    if (left_.list.empty()) return rules_.on_free(cell);
 
-    const std::size_t best = choose(cell, samples, left);
-    const Candidate chosen = left[best];
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
-    frames_.push_back(std::make_unique<Frame>(Frame{cell, samples, chosen, std::move(left)}));
+    const std::size_t best = choose(cell, samples, left_);
+    Frame& frame = next_frame();
+    frame.chosen = left_.list[best];
+    left_.list.erase(left_.list.begin() + static_cast<std::ptrdiff_t>(best));
+    frame.cell = cell;
+    frame.places = places;
+    frame.known_places = places.used();
+    frame.samples = samples;
+    frame.passed_sides = 0;
+    std::swap(frame.others, left_);
     return false;
   }
 
-  enum class Relation { kMisses, kCovers, kCuts };
-  /// Finds out which sides cut the cell, and notes it in the candidate.
-  Relation relation_of(const Cell<D>& cell, Candidate& candidate) {
+  /// Adds a candidate to those left, with the sides that cut the cell, unless it misses the cell.
+  /// False if it covers the cell.
+  bool add_if_it_cuts(const Cell<D>& cell, Candidate candidate, const Candidates& candidates,
+                      Word known_places) {
+    const KnownSigns* before = candidates.known.data() + candidate.first_known;
+    const std::size_t first = left_.known.size();
+    std::uint64_t cutting = 0;
     for (std::uint64_t sides = candidate.sides; sides != 0; sides &= sides - 1) {
       const int k = std::countr_zero(sides);
-      const Occurring signs = occurring_signs(cell, candidate.blocker, static_cast<std::size_t>(k));
-      if (!signs.positive) return Relation::kMisses;
-      if (!signs.negative) candidate.sides &= ~(std::uint64_t{1} << k);
+      KnownSigns known = (before++)->only_at(known_places);
+      const Occurring signs =
+          occurring_signs(cell, candidate.blocker, static_cast<std::size_t>(k), known);
+      if (!signs.positive) {
+        left_.known.resize(first);
+        return true;
+      }
+      if (!signs.negative) continue;
+      cutting |= std::uint64_t{1} << k;
+      left_.known.push_back(known);
     }
-    return candidate.sides == 0 ? Relation::kCovers : Relation::kCuts;
+    if (cutting == 0) return false;
+    left_.list.push_back({candidate.blocker, static_cast<std::uint32_t>(first), cutting});
+    return true;
   }
 
   /// The place of the candidate that holds the most of the samples, and how many.
@@ -276,15 +353,15 @@ class Subtraction {
                                            std::span<const Candidate> candidates) const {
     std::pair<std::size_t, int> best{0, 0};
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const int count = held_[candidates[i].blocker].size_with(samples);
+      const int count = Samples<D>::common(held_[candidates[i].blocker], samples);
       if (count > best.second) best = {i, count};
     }
     return best;
   }
 
   /// The place of the candidate that holds the most of the cell.
-  std::size_t choose(const Cell<D>& cell, const SampleSet& samples,
-                     std::span<const Candidate> candidates) {
+  std::size_t choose(const Cell<D>& cell, const SampleSet& samples, Candidates& all) {
+    const std::vector<Candidate>& candidates = all.list;
     auto [best, samples_held] = most_samples(samples, candidates);
     if (samples_held >= kEnoughSamples) return best;
     // By rays that lie within; those first that the cell crosses on the fewest sides.
@@ -294,7 +371,7 @@ class Subtraction {
       for (std::size_t i = 0; i < candidates.size() && looks < kMostLooks; ++i) {
         if (std::popcount(candidates[i].sides) != sides) continue;
         ++looks;
-        const std::size_t count = rays_within(cell, candidates[i]);
+        const std::size_t count = rays_within(cell, candidates[i], all);
         if (count > most_rays || looks == 1) {
           best = i;
           most_rays = count;
@@ -308,30 +385,33 @@ class Subtraction {
   /// Cuts off the frame's cell what lies outside one side of the chosen blocker, the one with most
   /// rays outside; what is inside all sides is blocked. True to end the search.
   bool advance() {
-    Frame& frame = *frames_.back();
+    Frame& frame = *frames_[depth_ - 1];
     const Blocker<D>& blocker = blockers_[frame.chosen.blocker];
     const std::size_t n = frame.cell.size();
-    read_rays(frame.cell);
+    read_rays(frame.cell, frame.places);
     const Side<D>* best = nullptr;
     std::size_t most = 0;
     SmallList<std::int8_t, kUsualRays> signs(n), best_signs;
+    const KnownSigns* before = frame.others.known.data() + frame.chosen.first_known;
     for (std::uint64_t sides = frame.chosen.sides; sides != 0; sides &= sides - 1) {
-      const int k = std::countr_zero(sides);
-      const Side<D>& side = blocker.sides[static_cast<std::size_t>(k)];
+      KnownSigns known = (before++)->only_at(frame.known_places);
+      const auto k = static_cast<std::size_t>(std::countr_zero(sides));
+      if ((frame.passed_sides >> k & 1) != 0) continue;
+      known = with_certain(known, frame.chosen.blocker, k);
+      const Side<D>& side = blocker.sides[k];
       std::size_t inside = 0, outside = 0;
       for (std::size_t i = 0; i < n; ++i) {
-        const int sign = sign_of(frame.cell, i, frame.chosen.blocker, static_cast<std::size_t>(k));
+        const int sign = sign_of(frame.cell, i, frame.chosen.blocker, k, known);
         signs[i] = static_cast<std::int8_t>(side.sign * sign);  // of the functional
         inside += sign > 0;
         outside += sign < 0;
       }
       if (inside == 0) {  // all that is left lies outside
-        const std::unique_ptr<Frame> last = std::move(frames_.back());
-        frames_.pop_back();
-        return visit(last->cell, last->samples, last->others);
+        --depth_;
+        return visit(frame.cell, frame.places, frame.known_places, frame.samples, frame.others);
       }
       if (outside == 0) {
-        frame.chosen.sides &= ~(std::uint64_t{1} << k);
+        frame.passed_sides |= std::uint64_t{1} << k;
         continue;
       }
       if (best == nullptr || outside > most) {
@@ -341,7 +421,7 @@ class Subtraction {
       }
     }
     if (best == nullptr) {
-      frames_.pop_back();
+      --depth_;
       return false;
     }
     ++pool_.statistics().splits;
@@ -349,10 +429,19 @@ class Subtraction {
     const auto made = frame.cell.cut_rays(pool_, best->functional, best_signs);
     const Cell<D> outside = frame.cell.part(best->functional, best_signs, -best->sign, made);
     frame.cell = frame.cell.part(best->functional, best_signs, best->sign, made);
-    const SampleSet on_inside = samples_on(*best);
-    const SampleSet samples_outside = frame.samples.without(on_inside);
-    frame.samples = frame.samples.intersected(on_inside);
-    return visit(outside, samples_outside, frame.others);
+    Word kept_outside = frame.known_places, kept_inside = frame.known_places;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (best_signs[i] == 0 || frame.places[i] >= RayPlaces::kMost) continue;
+      (best_signs[i] == best->sign ? kept_outside : kept_inside) &= ~(Word{1} << frame.places[i]);
+    }
+    const RayPlaces outside_places =
+        frame.places.of_part(best_signs, -best->sign, made.rays.size());
+    frame.places = frame.places.of_part(best_signs, best->sign, made.rays.size());
+    frame.known_places = kept_inside;
+    const SampleSet all = frame.samples;
+    frame.samples = samples_.on(RayTable<D>::row(*best->functional, best->sign), all);
+    const SampleSet samples_outside = Samples<D>::without(all, frame.samples);
+    return visit(outside, outside_places, kept_outside, samples_outside, frame.others);
   }
 
   static constexpr int kEnoughSamples = 2, kMostLooks = 24;
@@ -360,15 +449,21 @@ class Subtraction {
   VectorPool<D>& pool_;
   std::span<const Blocker<D>> blockers_;
   Rules& rules_;
-  std::span<const std::array<double, D>> samples_;
-  std::vector<double> sample_columns_;  // D x #samples
-  SampleSet all_samples_;
+  Samples<D> samples_;
   std::vector<SampleSet> held_;  // samples within each blocker
   std::vector<Row> side_rows_;   // of all blockers in turn
+  std::vector<SingleRow<D>> single_rows_;
   std::vector<std::size_t> first_side_;
-  std::vector<Row> ray_rows_;  // of the cell that was read last
+  // Of the cell that was read last.
+  std::vector<Row> ray_rows_;
+  const RayPlaces* places_ = nullptr;
+  std::array<std::uint8_t, RayPlaces::kMost> ray_at_{};
+  RayTable<D> table_;
+  std::vector<std::size_t> rays_without_place_;
+  Candidates left_;  // by the cell that is visited
   // Depth first, without recursion: as deep as there are blockers.
   std::vector<std::unique_ptr<Frame>> frames_;
+  std::size_t depth_ = 0;  // frames in use
   std::uint64_t cells_left_;
   bool gave_up_ = false;
   bool cut_ = false;  // the root was cut

@@ -51,11 +51,18 @@ class LazyVector {
     zeros_.clear();
     negated_ = false;
     exact_ = Exact::kUnknown;
+    wide_.reset();
     quad_.reset();
     big_.reset();
   }
 
-  enum class Exact : std::uint8_t { kUnknown, kFixedWidth, kNotFixedWidth, kBig };
+  enum class Exact : std::uint8_t {
+    kUnknown,        // a combination
+    kNotFixedWidth,  // a combination, too large for fixed width
+    kFixedWidth,
+    kWide,  // given, not divided by its gcd yet
+    kBig
+  };
 
   Approximation<D, double> approximate_;
   // Where the vector comes from, unless it was given: (first . cut) second - (second . cut) first,
@@ -69,6 +76,7 @@ class LazyVector {
   Role role_ = Role::kRay;
   Exact exact_ = Exact::kUnknown;
   std::array<std::int64_t, D> fixed_;  // magnitudes below 2^62
+  std::unique_ptr<std::array<Wide, D>> wide_;
   std::unique_ptr<Approximation<D, Quad>> quad_;
   std::unique_ptr<std::array<BigInteger, D>> big_;
 };
@@ -148,6 +156,10 @@ class VectorPool {
     for (double& x : result.approximate_.x) x = -x;
     result.fixed_ = vector->fixed_;
     for (std::int64_t& x : result.fixed_) x = -x;
+    if (vector->wide_) {
+      result.wide_ = std::make_unique<std::array<Wide, D>>(*vector->wide_);
+      negate(*result.wide_);
+    }
     if (vector->big_) {
       result.big_ = std::make_unique<std::array<BigInteger, D>>(*vector->big_);
       negate(*result.big_);
@@ -355,7 +367,21 @@ class VectorPool {
   /// Does the vector fit fixed width? Finds out, once.
   bool is_fixed(const Vector& vector) {
     if (vector.exact_ == Vector::Exact::kUnknown) make_fixed(writable(vector));
+    if (vector.exact_ == Vector::Exact::kWide) reduce(writable(vector));
     return vector.exact_ == Vector::Exact::kFixedWidth;
+  }
+
+  /// Divides what was given by its gcd: mostly nobody asks for more than doubles.
+  void reduce(Vector& v) {
+    const std::unique_ptr<std::array<Wide, D>> given = std::move(v.wide_);
+    divide_by_gcd(*given);
+    if (std::all_of(given->begin(), given->end(), fits)) {
+      set_fixed(v, *given);
+      return;
+    }
+    v.exact_ = Vector::Exact::kBig;
+    v.big_ = std::make_unique<std::array<BigInteger, D>>();
+    for (std::size_t i = 0; i < D; ++i) (*v.big_)[i] = to_big((*given)[i]);
   }
 
   void make_fixed(Vector& v) {
@@ -377,6 +403,8 @@ class VectorPool {
   }
 
   void make_big(Vector& v) {
+    if (v.exact_ == Vector::Exact::kWide) reduce(v);
+    if (v.big_) return;
     std::array<BigInteger, D> components;
     if (v.exact_ == Vector::Exact::kFixedWidth) {
       for (std::size_t i = 0; i < D; ++i) components[i] = to_big(v.fixed_[i]);
@@ -412,13 +440,14 @@ class VectorPool {
       }
       make_big(v);
     }
-    if (v.exact_ == Vector::Exact::kFixedWidth) {
+    if (v.exact_ == Vector::Exact::kFixedWidth || v.exact_ == Vector::Exact::kWide) {
       double largest = 0;
       for (std::size_t i = 0; i < D; ++i) {
-        v.quad_->x[i] = static_cast<Quad>(v.fixed_[i]) * weight(v.role_, i);
+        const Wide x = v.wide_ ? (*v.wide_)[i] : v.fixed_[i];
+        v.quad_->x[i] = static_cast<Quad>(x) * weight(v.role_, i);
         largest = std::max(largest, magnitude(v.quad_->x[i]));
       }
-      v.quad_->error = 0;
+      v.quad_->error = v.wide_ ? kQuadUnit * largest : 0;
       normalize(*v.quad_, largest);
     } else {
       approximate_from_big(v, *v.quad_, kQuadUnit);
@@ -474,12 +503,8 @@ class VectorPool {
     } else {
       for (std::size_t i = 0; i < D; ++i) wide_components[i] = wide(components[i]);
       if (!std::all_of(wide_components.begin(), wide_components.end(), fits)) {
-        divide_by_gcd(wide_components);
-      }
-      if (!std::all_of(wide_components.begin(), wide_components.end(), fits)) {
-        std::array<BigInteger, D> big;
-        for (std::size_t i = 0; i < D; ++i) big[i] = to_big(wide_components[i]);
-        set_exact(vector, big);
+        vector.exact_ = Vector::Exact::kWide;
+        vector.wide_ = std::make_unique<std::array<Wide, D>>(wide_components);
         return;
       }
     }
@@ -499,8 +524,9 @@ class VectorPool {
     bool rounded = false;
     double largest = 0;
     for (std::size_t i = 0; i < D; ++i) {
-      const auto x = static_cast<double>(vector.fixed_[i]);
-      rounded |= static_cast<Wide>(x) != vector.fixed_[i];
+      const Wide given = vector.wide_ ? (*vector.wide_)[i] : vector.fixed_[i];
+      const auto x = static_cast<double>(given);
+      rounded = rounded || vector.wide_ || static_cast<Wide>(x) != given;
       vector.approximate_.x[i] = x * weight(vector.role_, i);
       largest = std::max(largest, std::fabs(vector.approximate_.x[i]));
     }

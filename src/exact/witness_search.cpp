@@ -77,16 +77,62 @@ Components interior_vector(const LineCell& cell, RandomNumbers& random) {
   return sum;
 }
 
+/// Occluders that a segment seems to meet, by rounded arithmetic: saves most exact classifications.
+class LikelyBlockers {
+ public:
+  explicit LikelyBlockers(std::span<const std::span<const Point>> occluders)
+      : occluders_(occluders) {
+    for (const std::span<const Point> occluder : occluders) {
+      normals_.push_back((occluder[1] - occluder[0]).cross(occluder[2] - occluder[0]));
+    }
+  }
+
+  std::optional<std::size_t> find(const Point& p, const Point& q) {
+    if (occluders_.empty()) return std::nullopt;
+    if (meets(p, q, last_)) return last_;  // likely to block the next one too
+    for (std::size_t i = 0; i < occluders_.size(); ++i) {
+      if (meets(p, q, i)) return last_ = i;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool meets(const Point& p, const Point& q, std::size_t i) const {
+    const std::span<const Point> polygon = occluders_[i];
+    const double at_p = normals_[i].dot(p - polygon[0]), at_q = normals_[i].dot(q - polygon[0]);
+    if (at_p * at_q >= 0) return false;
+    const Point d = at_p > 0 ? q - p : p - q;  // from the front to the back
+    Point first = polygon.back() - p;
+    for (const Point& corner : polygon) {
+      const Point second = corner - p;
+      if (d.dot(first.cross(second)) > 0) return false;
+      first = second;
+    }
+    return true;
+  }
+
+  std::span<const std::span<const Point>> occluders_;
+  std::vector<Point> normals_;
+  std::size_t last_ = 0;
+};
+
 }  // namespace
 
 RandomSegments try_exact_segments(const ShaftPolygons& shaft, int tries, RandomNumbers& random) {
   RandomSegments result;
+  LikelyBlockers occluders(shaft.occluders);
   for (int i = 0; i < tries && !(result.witness && result.any_blocked); ++i) {
     Witness segment{random_weights(shaft.region.size(), random),
                     random_weights(shaft.element.size(), random)};
-    switch (classify_segment(shaft, segment)) {
+    // Classified against what is likely to block it, if anything is.
+    ShaftPolygons with_likely = shaft;
+    const auto blocker = occluders.find(weighted_point(shaft.region, segment.region_weights),
+                                        weighted_point(shaft.element, segment.element_weights));
+    if (blocker && result.any_blocked) continue;
+    if (blocker) with_likely.occluders = shaft.occluders.subspan(*blocker, 1);
+    switch (classify_segment(with_likely, segment)) {
       case SegmentKind::kSightLine:
-        if (!result.witness) result.witness = std::move(segment);
+        if (!result.witness && !blocker) result.witness = std::move(segment);
         break;
       case SegmentKind::kBlocked:
         result.any_blocked = true;
