@@ -203,7 +203,8 @@ class SkeletonBuilder {
     made.element_point = absolute(features.element_point(node.line));
     const auto [place, is_new] = node_of_line_.try_emplace(key, 0);
     if (is_new) {
-      place->second = boost::add_vertex(made, graph_);
+      place->second = boost::add_vertex(graph_);
+      graph_[place->second] = std::move(made);
     } else {
       // A line in the plane of region or element bounds free lines on both sides.
       SkeletonNode& known = graph_[place->second];
