@@ -50,29 +50,46 @@ struct CoverStep {
   std::vector<std::size_t> chosen;   ///< row numbers, ascending, k of them
   double covered_percent = 0;        ///< of total_weight()
   double upper_bound_percent = 100;  ///< no k rows cover more (proven)
-  std::uint64_t evaluations = 0;     ///< benefits computed for this k
-  double seconds = 0;                ///< for this k
+  std::uint64_t evaluations = 0;     ///< benefits computed for this k, or for the only step
+  double seconds = 0;                ///< for this k, or for the only step
 
   friend bool operator==(const CoverStep&, const CoverStep&) = default;
 };
 
 struct RegionCover {
-  std::vector<CoverStep> steps;  ///< k = 1, 2, ...; the last one covers everything coverable
-  std::size_t lower_bound = 0;   ///< proven, on the number of rows
-  /// The search was cut short: the last steps were filled up greedily, so that the cover is whole.
+  std::vector<CoverStep> steps;  ///< ascending in k; what they are depends on the goal
+  std::size_t lower_bound = 0;   ///< proven, on the number of rows of a whole cover
+  /// The last step covers everything coverable. Only `kOneK` ends with less.
+  bool whole = true;
+  /// The time limit ended the search. Sets that it kept from being searched are filled up greedily.
   bool time_limit_reached = false;
 
-  /// Rows of the cover; 0 where nothing is coverable.
+  /// Rows of the last step; 0 where nothing is coverable.
   std::size_t size() const { return steps.empty() ? 0 : steps.back().k; }
-  /// True iff the cover is known to be a smallest one.
-  bool proved() const { return size() == lower_bound; }
+  /// True iff the last step is known to be a smallest whole cover.
+  bool proved() const { return whole && size() == lower_bound; }
+};
+
+enum class CoverGoal {
+  kEveryK,      ///< one step for each k = 1, 2, ... up to a whole cover
+  kWholeCover,  ///< one step: a whole cover, as small as can be found
+  kOneK,        ///< one step: the best k rows, or fewer if fewer are found to cover everything
+};
+
+/// A whole cover smaller than those found before.
+struct BetterCover {
+  std::vector<std::size_t> chosen;  ///< row numbers, ascending
+  double seconds = 0;               ///< since the search began
 };
 
 struct CoverOptions {
+  CoverGoal goal = CoverGoal::kEveryK;
+  std::size_t k = 0;  ///< of `kOneK`; with 0 there are no steps
   std::uint64_t seed = 1;
-  double time_limit_seconds = 0;                  ///< 0: none
-  const std::atomic<bool>* stop = nullptr;        ///< set from outside to end early
-  std::function<void(const CoverStep&)> on_step;  ///< after each k, from the calling thread
+  double time_limit_seconds = 0;                      ///< 0: none
+  const std::atomic<bool>* stop = nullptr;            ///< set from outside to end early
+  std::function<void(const CoverStep&)> on_step;      ///< after each k that is searched
+  std::function<void(const BetterCover&)> on_better;  ///< after each smaller whole cover
 };
 
 /// One method of choosing rows; methods are found by name (optim/cover_methods.h).
@@ -83,8 +100,9 @@ class CoverMethod {
  public:
   virtual ~CoverMethod() = default;
   virtual std::string_view name() const = 0;
-  /// Best sets for k = 1, 2, ... until everything coverable is covered (paper, section 2.3).
-  /// An instance without coverable columns gives no steps.
+  /// Best sets for options.goal: by default for k = 1, 2, ... until everything coverable is covered
+  /// (paper, section 2.3). An instance without coverable columns gives no steps.
+  /// The functions of `options` are called from the calling thread.
   /// Errors: Interrupted if options.stop is set.
   virtual RegionCover solve(const CoverInstance& instance, const CoverOptions& options) const = 0;
 

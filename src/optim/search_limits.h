@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "optim/region_cover.h"
 #include "optim/stopwatch.h"
 #include "scene/error.h"
@@ -19,6 +22,13 @@ class SearchLimits {
     if (!expired_ && time_limit_ > 0) expired_ = watch_.seconds() >= time_limit_;
     return expired_;
   }
+  /// Until the time limit; infinite without one, 0 once it has passed.
+  double seconds_left() const {
+    if (time_limit_ <= 0) return std::numeric_limits<double>::infinity();
+    return expired_ ? 0 : std::max(0.0, time_limit_ - watch_.seconds());
+  }
+  /// Since construction.
+  double seconds() const { return watch_.seconds(); }
   /// True iff some call of expired() said so.
   bool has_expired() const { return expired_; }
 

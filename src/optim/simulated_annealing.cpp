@@ -1,10 +1,8 @@
 #include "optim/simulated_annealing.h"
 
 #include <algorithm>
-#include <cassert>
 
-#include "optim/cover_state.h"
-#include "optim/search_limits.h"
+#include "optim/growing_cover.h"
 #include "scene/random_numbers.h"
 
 namespace viewcover {
@@ -197,67 +195,17 @@ class Annealing {
   Benefit best_benefit_ = -1;
 };
 
-/// The row, not chosen yet, that adds most; the first of several.
-std::size_t best_addition(CoverState& state) {
-  std::size_t best = 0;
-  Benefit best_gain = -1;
-  for (std::size_t row = 0; row < state.row_count(); ++row) {
-    if (state.contains(row)) continue;
-    const Benefit gain = state.gain(row);
-    if (gain > best_gain) {
-      best_gain = gain;
-      best = row;
-    }
-  }
-  return best;
-}
-
-/// The k largest row benefits together, at most the total.
-Benefit benefit_bound(const std::vector<Benefit>& heaviest, std::size_t k, Benefit total) {
-  Benefit sum = 0;
-  for (std::size_t i = 0; i < k && sum < total; ++i) sum += heaviest[i];
-  return std::min(sum, total);
-}
-
 }  // namespace
 
 RegionCover SimulatedAnnealing::solve(const CoverInstance& instance,
                                       const CoverOptions& options) const {
-  RegionCover cover;
-  cover.lower_bound = instance.lower_bound();
-  CoverState state(instance);
-  if (state.covers_all()) return cover;
-
-  SearchLimits limits(options);
   RandomNumbers random(options.seed);
-  std::vector<Benefit> heaviest;
-  for (std::size_t row = 0; row < state.row_count(); ++row) heaviest.push_back(state.gain(row));
-  std::ranges::sort(heaviest, std::greater<>());
-
-  std::uint64_t evaluations_before = 0;
-  while (!state.covers_all()) {
-    const Stopwatch watch;
-    state.add(best_addition(state));
-    CoverStep step;
-    step.k = cover.steps.size() + 1;
-    if (!limits.expired()) {
-      Annealing annealing(state, random, limits);
-      annealing.run(step.k < cover.lower_bound ? kRoundsBelowBound : kRounds,
-                    benefit_bound(heaviest, step.k, state.total()));
-      state.assign(annealing.best());
-    }
-    assert(state.check_consistency());
-    step.chosen = state.chosen();
-    step.covered_percent = instance.covered_percent(step.chosen);
-    step.upper_bound_percent = instance.upper_bound_percent(step.k);
-    step.evaluations = state.evaluations() - evaluations_before;
-    evaluations_before = state.evaluations();
-    step.seconds = watch.seconds();
-    cover.steps.push_back(step);
-    if (options.on_step) options.on_step(cover.steps.back());
-  }
-  cover.time_limit_reached = limits.has_expired();
-  return cover;
+  return grow_cover(
+      instance, options, [&](CoverState& state, const GrowthStage& stage, SearchLimits& limits) {
+        Annealing annealing(state, random, limits);
+        annealing.run(stage.k < stage.lower_bound ? kRoundsBelowBound : kRounds, stage.upper_bound);
+        state.assign(annealing.best());
+      });
 }
 
 }  // namespace viewcover
