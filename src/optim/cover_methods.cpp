@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "optim/greedy_cover.h"
 #include "optim/simulated_annealing.h"
+#include "optim/tabu_search.h"
 
 namespace viewcover {
 namespace {
@@ -15,6 +17,8 @@ std::unique_ptr<CoverMethod> make() {
 
 constexpr std::array kMethods = {
     CoverMethodEntry{"sa", make<SimulatedAnnealing>},
+    CoverMethodEntry{"tabu", make<TabuSearch>},
+    CoverMethodEntry{"greedy", make<GreedyCover>},
 };
 
 }  // namespace
