@@ -4,6 +4,7 @@
 #include <array>
 
 #include "optim/greedy_cover.h"
+#include "optim/local_search.h"
 #include "optim/simulated_annealing.h"
 #include "optim/tabu_search.h"
 
@@ -19,6 +20,7 @@ constexpr std::array kMethods = {
     CoverMethodEntry{"sa", make<SimulatedAnnealing>},
     CoverMethodEntry{"tabu", make<TabuSearch>},
     CoverMethodEntry{"greedy", make<GreedyCover>},
+    CoverMethodEntry{"local", make<LocalSearch>},
 };
 
 }  // namespace

@@ -1,0 +1,152 @@
+#include "optim/exchange_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace viewcover {
+namespace {
+
+using Score = ScoredCover::Score;
+
+/// Fixed-point bits of the total weight: leaves room for weights to grow a million times.
+constexpr int kTotalBits = 40;
+/// One exchange in so many takes out a row picked at random.
+constexpr std::size_t kExchangesPerRandomRow = 8;
+/// Exchanges in which a removed row may not come back: the least, and how many more by chance.
+constexpr std::size_t kLeastAbsence = 2, kMoreAbsence = 8;
+/// Exchanges without a better set, for each of the k rows and in all, after which the search goes
+/// back to the best set and the columns' own weights.
+constexpr std::size_t kExchangesPerStart = 1000, kExchangesPerStartAndRow = 20;
+
+std::vector<Score> integer_weights(const CoverInstance& instance) {
+  std::vector<Score> weights;
+  for (const double weight : instance.weights()) {
+    const double share = instance.total_weight() > 0 ? weight / instance.total_weight() : 0;
+    weights.push_back(std::max<Score>(1, std::llround(std::ldexp(share, kTotalBits))));
+  }
+  return weights;
+}
+
+}  // namespace
+
+ExchangeSearch::ExchangeSearch(const CoverInstance& instance, RandomNumbers& random)
+    : weights_(integer_weights(instance)), cover_(instance.rows(), weights_), random_(random) {
+  for (Index row = 0; row < cover_.row_count(); ++row) heaviest_.push_back(cover_.score(row));
+  std::ranges::sort(heaviest_, std::greater<>());
+}
+
+std::vector<ExchangeSearch::Index> ExchangeSearch::grown(const std::vector<Index>& rows,
+                                                         std::size_t k) {
+  assign(rows);
+  while (cover_.chosen().size() < k) {
+    std::optional<Index> best;
+    for (Index row = 0; row < cover_.row_count(); ++row) {
+      if (cover_.contains(row)) continue;
+      if (!best || cover_.score(row) > cover_.score(*best)) best = row;
+    }
+    evaluations_ += cover_.row_count();
+    cover_.add(*best);
+  }
+  return {cover_.chosen().begin(), cover_.chosen().end()};
+}
+
+std::vector<ExchangeSearch::Index> ExchangeSearch::in_order_of_loss(std::vector<Index> rows) {
+  // The row added last stays to the end.
+  assign(rows);
+  std::ranges::stable_sort(rows, {}, [&](Index row) { return cover_.score(row); });
+  assign(rows);
+  std::vector<Index> order;
+  while (cover_.can_remove()) {
+    order.push_back(cover_.easiest_to_remove());
+    cover_.remove(order.back());
+  }
+  order.insert(order.end(), cover_.chosen().begin(), cover_.chosen().end());
+  return order;
+}
+
+std::vector<ExchangeSearch::Index> ExchangeSearch::improved(const std::vector<Index>& rows,
+                                                            SearchEffort& effort) {
+  assign(rows);
+  best_ = rows;
+  best_missed_ = missed();
+  const Score total = std::accumulate(weights_.begin(), weights_.end(), Score{0});
+  const Score most = std::accumulate(
+      heaviest_.begin(), heaviest_.begin() + static_cast<std::ptrdiff_t>(rows.size()), Score{0});
+  const Score least_missed = std::max<Score>(0, total - most);
+  const std::size_t exchanges = kExchangesPerStart + kExchangesPerStartAndRow * rows.size();
+  std::size_t since_better = 0;
+  while (best_missed_ > least_missed && !effort.spent(work())) {
+    exchange();
+    ++since_better;
+    if (missed() < best_missed_) {
+      best_.assign(cover_.chosen().begin(), cover_.chosen().end());
+      best_missed_ = missed();
+      effort.succeeded(work());
+      since_better = 0;
+    } else if (since_better == exchanges) {
+      assign(best_);
+      since_better = 0;
+    } else {
+      raise_uncovered();
+    }
+  }
+  return best_;
+}
+
+void ExchangeSearch::assign(const std::vector<Index>& rows) {
+  cover_.set_weights(weights_);
+  const std::vector<Index> before(cover_.chosen().begin(), cover_.chosen().end());
+  for (const Index row : before) cover_.remove(row);
+  for (const Index row : rows) cover_.add(row);
+}
+
+void ExchangeSearch::exchange() {
+  const std::uint64_t before = cover_.work();
+  cover_.remove(row_to_remove());
+  cover_.add(row_to_add());
+  exchange_work_ += cover_.work() - before;
+}
+
+ExchangeSearch::Index ExchangeSearch::row_to_remove() {
+  if (cover_.can_remove() && random_.below(kExchangesPerRandomRow) != 0) {
+    return cover_.easiest_to_remove();
+  }
+  return cover_.chosen()[random_.below(cover_.chosen().size())];
+}
+
+ExchangeSearch::Index ExchangeSearch::row_to_add() {
+  // Every exchange moves two rows.
+  const std::uint64_t absence = 2 * (kLeastAbsence + random_.below(kMoreAbsence + 1));
+  evaluations_ += cover_.row_count();
+  std::optional<Index> best, best_free;
+  const auto is_better = [&](Index row, const std::optional<Index>& than) {
+    return !than || cover_.score(row) > cover_.score(*than) ||
+           (cover_.score(row) == cover_.score(*than) &&
+            cover_.moved_at(row) < cover_.moved_at(*than));
+  };
+  for (Index row = 0; row < cover_.row_count(); ++row) {
+    if (cover_.contains(row)) continue;
+    const bool is_free =
+        cover_.moved_at(row) == 0 || cover_.moved_at(row) + absence < cover_.moves();
+    if (is_free && is_better(row, best_free)) best_free = row;
+    if (is_better(row, best)) best = row;
+  }
+  return best_free.value_or(*best);
+}
+
+ExchangeSearch::Score ExchangeSearch::missed() const {
+  Score sum = 0;
+  for (const Index column : cover_.uncovered()) sum += weights_[column];
+  return sum;
+}
+
+void ExchangeSearch::raise_uncovered() {
+  if (raise_work_ > exchange_work_) return;
+  const std::uint64_t before = cover_.work();
+  for (const Index column : cover_.uncovered()) cover_.raise(column, weights_[column]);
+  raise_work_ += cover_.work() - before;
+}
+
+}  // namespace viewcover

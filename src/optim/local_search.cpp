@@ -1,0 +1,149 @@
+#include "optim/local_search.h"
+
+#include <algorithm>
+
+#include "optim/exchange_search.h"
+#include "optim/growing_cover.h"
+#include "optim/whole_cover_search.h"
+
+namespace viewcover {
+namespace {
+
+using Index = ScoredCover::Index;
+
+/// Work without success that ends the search for a whole cover, without a time limit: about a
+/// second.
+constexpr std::uint64_t kPatience = 200'000'000;
+/// The same for the searches of all k together, and at least for each.
+constexpr std::uint64_t kPatienceForAllK = 200'000'000, kLeastPatienceForK = 1'000'000;
+/// Part of the time limit for the whole cover when sets of fewer rows are asked for too.
+constexpr double kShareOfWholeCover = 0.5;
+
+/// One run of the method.
+class LocalRun {
+ public:
+  LocalRun(const CoverInstance& instance, const CoverOptions& options)
+      : instance_(instance), options_(options), limits_(options), random_(options.seed) {
+    cover_.lower_bound = instance.lower_bound();
+  }
+
+  RegionCover result() {
+    if (cover_.lower_bound == 0) return cover_;
+    const bool one_k = options_.goal == CoverGoal::kOneK;
+    if (one_k && options_.k == 0) {
+      cover_.whole = false;
+      return cover_;
+    }
+    find_whole_cover();
+    if (one_k && options_.k < whole_cover_.size()) {
+      find_one_k();
+    } else {
+      if (options_.goal == CoverGoal::kEveryK) find_smaller_sets();
+      if (cover_.steps.empty() || cover_.steps.back().k < whole_cover_.size()) {
+        add_step(whole_cover_, seconds_for_whole_cover_, evaluations_for_whole_cover_);
+      }
+    }
+    if (options_.goal != CoverGoal::kEveryK) cover_.steps.back().seconds = limits_.seconds();
+    return cover_;
+  }
+
+ private:
+  void find_whole_cover() {
+    WholeCoverSearch search(instance_.rows(), random_);
+    const auto report = [&] {
+      if (options_.on_better) options_.on_better({sorted(search.best()), limits_.seconds()});
+    };
+    report();
+    const bool only_this = options_.goal == CoverGoal::kWholeCover;
+    SearchEffort effort(limits_, only_this ? 1 : kShareOfWholeCover, kPatience, search.work());
+    // No k rows cover everything if the bound says so: the time belongs to the search for the best.
+    const bool excluded = options_.goal == CoverGoal::kOneK && options_.k < cover_.lower_bound;
+    if (!excluded) search.run(effort, cover_.lower_bound, report);
+    note_limit(effort);
+    whole_cover_ = search.best();
+    evaluations_for_whole_cover_ = search.evaluations();
+    seconds_for_whole_cover_ = limits_.seconds();
+  }
+
+  void find_one_k() {
+    ExchangeSearch search(instance_, random_);
+    const std::vector<Index> found =
+        best_set(search, search.grown({}, options_.k), search.in_order_of_loss(whole_cover_), 1,
+                 kPatienceForAllK);
+    add_step(found, 0, evaluations_for_whole_cover_ + search.evaluations());
+    cover_.whole = instance_.covers_all(cover_.steps.back().chosen);
+  }
+
+  /// Ends before the whole cover, or with a smaller one.
+  void find_smaller_sets() {
+    ExchangeSearch search(instance_, random_);
+    const std::vector<Index> order = search.in_order_of_loss(whole_cover_);
+    std::vector<Index> found;
+    for (std::size_t k = 1; k < whole_cover_.size(); ++k) {
+      const double seconds_before = limits_.seconds();
+      const std::uint64_t evaluations_before = search.evaluations();
+      const std::size_t left = whole_cover_.size() - k;
+      found = best_set(search, search.grown(found, k), order, 1 / static_cast<double>(left),
+                       std::max(kLeastPatienceForK, kPatienceForAllK / (whole_cover_.size() - 1)));
+      add_step(found, limits_.seconds() - seconds_before,
+               search.evaluations() - evaluations_before);
+      if (!instance_.covers_all(cover_.steps.back().chosen)) continue;
+      whole_cover_ = found;
+      if (options_.on_better) options_.on_better({sorted(found), limits_.seconds()});
+    }
+  }
+
+  /// Starts from the better one of `grown` and as many rows at the end of `order`. Covers at least
+  /// as much as `grown`.
+  std::vector<Index> best_set(ExchangeSearch& search, const std::vector<Index>& grown,
+                              const std::vector<Index>& order, double share,
+                              std::uint64_t patience) {
+    const std::vector<Index> kept(order.end() - static_cast<std::ptrdiff_t>(grown.size()),
+                                  order.end());
+    SearchEffort effort(limits_, share, patience, search.work());
+    const std::vector<Index> found =
+        search.improved(covered_percent(kept) > covered_percent(grown) ? kept : grown, effort);
+    note_limit(effort);
+    // Weights are rounded in the search.
+    return covered_percent(found) < covered_percent(grown) ? grown : found;
+  }
+
+  void add_step(const std::vector<Index>& rows, double seconds, std::uint64_t evaluations) {
+    CoverStep step = make_step(instance_, sorted(rows));
+    step.seconds = seconds;
+    step.evaluations = evaluations;
+    cover_.steps.push_back(std::move(step));
+    if (options_.on_step) options_.on_step(cover_.steps.back());
+  }
+
+  void note_limit(const SearchEffort& effort) {
+    cover_.time_limit_reached = cover_.time_limit_reached || effort.cut_short();
+  }
+
+  double covered_percent(const std::vector<Index>& rows) const {
+    return instance_.covered_percent(sorted(rows));
+  }
+
+  static std::vector<std::size_t> sorted(const std::vector<Index>& rows) {
+    std::vector<std::size_t> chosen(rows.begin(), rows.end());
+    std::ranges::sort(chosen);
+    return chosen;
+  }
+
+  const CoverInstance& instance_;
+  const CoverOptions& options_;
+  SearchLimits limits_;
+  RandomNumbers random_;
+  RegionCover cover_;
+  std::vector<Index> whole_cover_;
+  std::uint64_t evaluations_for_whole_cover_ = 0;
+  double seconds_for_whole_cover_ = 0;
+};
+
+}  // namespace
+
+RegionCover LocalSearch::solve(const CoverInstance& instance, const CoverOptions& options) const {
+  return LocalRun(instance, options).result();
+}
+
+}  // namespace viewcover
