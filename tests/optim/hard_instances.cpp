@@ -1,0 +1,137 @@
+#include "hard_instances.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+
+namespace viewcover::reference {
+namespace {
+
+/// The rows of each column.
+using Columns = std::vector<std::vector<std::size_t>>;
+
+BitRows matrix_of(const Columns& columns, std::size_t rows) {
+  BitRows matrix(rows, columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (const std::size_t row : columns[c]) matrix.set(row, c);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+HardInstance affine_lines(int dimension) {
+  std::size_t points = 1;
+  for (int i = 0; i < dimension; ++i) points *= 3;
+  // Three points lie on a line iff they add up to 0 in every coordinate modulo 3.
+  Columns lines;
+  for (std::size_t a = 0; a < points; ++a) {
+    for (std::size_t b = a + 1; b < points; ++b) {
+      std::size_t c = 0;
+      for (std::size_t digit = 1; digit < points; digit *= 3) {
+        c += (6 - a / digit % 3 - b / digit % 3) % 3 * digit;
+      }
+      if (c > b) lines.push_back({a, b, c});
+    }
+  }
+  static const std::map<int, std::size_t> kBest = {{2, 5}, {3, 18}, {4, 61}, {5, 198}, {6, 617}};
+  return {"AG(" + std::to_string(dimension) + ",3)", matrix_of(lines, points), kBest.at(dimension),
+          true};
+}
+
+HardInstance cube_cycles(int dimension) {
+  const std::size_t vertices = std::size_t{1} << dimension;
+  const auto d = static_cast<std::size_t>(dimension);
+  // An edge along an axis is named after its end with a 0 there.
+  const auto edge = [&](std::size_t end, std::size_t axis) { return end * d + axis; };
+  std::map<std::size_t, std::size_t> row_of;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      if ((v >> axis & 1) == 0) row_of.emplace(edge(v, axis), row_of.size());
+    }
+  }
+  Columns cycles;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (std::size_t a = 0; a < d; ++a) {
+      for (std::size_t b = a + 1; b < d; ++b) {
+        const std::size_t at = std::size_t{1} << a, bt = std::size_t{1} << b;
+        if ((v & at) != 0 || (v & bt) != 0) continue;
+        cycles.push_back({row_of.at(edge(v, a)), row_of.at(edge(v, b)), row_of.at(edge(v | bt, a)),
+                          row_of.at(edge(v | at, b))});
+      }
+    }
+  }
+  static const std::map<int, std::size_t> kBest = {{6, 60},  {7, 144},   {8, 342},
+                                                   {9, 772}, {10, 1794}, {11, 3968}};
+  return {"cube " + std::to_string(dimension), matrix_of(cycles, row_of.size()),
+          kBest.at(dimension), dimension == 6};
+}
+
+HardInstance bipartitions(int points) {
+  std::vector<std::uint32_t> subsets;
+  const std::uint32_t all = (1u << points) - 1;
+  for (std::uint32_t set = 0; set <= all; ++set) {
+    if (std::popcount(set) == 4) subsets.push_back(set);
+  }
+  // The part with the first point names a bipartition.
+  BitRows matrix(subsets.size(), (1u << (points - 1)) - 1);
+  std::size_t column = 0;
+  for (std::uint32_t part = 1; part < all; part += 2, ++column) {
+    for (std::size_t r = 0; r < subsets.size(); ++r) {
+      const std::uint32_t inside = subsets[r] & part;
+      if (inside == 0 || inside == subsets[r]) matrix.set(r, column);
+    }
+  }
+  static const std::map<int, std::size_t> kBest = {{10, 25}, {11, 23}, {12, 23}, {13, 23}};
+  return {"bipartitions of " + std::to_string(points), std::move(matrix), kBest.at(points),
+          points == 11};
+}
+
+HardInstance planted_cover(std::size_t planted, std::size_t share, std::size_t decoys,
+                           std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const std::size_t rows = planted + decoys, columns = planted * share;
+  std::vector<std::size_t> row_order(rows), column_order(columns);
+  std::iota(row_order.begin(), row_order.end(), std::size_t{0});
+  std::iota(column_order.begin(), column_order.end(), std::size_t{0});
+  std::ranges::shuffle(row_order, random);
+  std::ranges::shuffle(column_order, random);
+  BitRows matrix(rows, columns);
+  for (std::size_t i = 0; i < columns; ++i) matrix.set(row_order[i / share], column_order[i]);
+  for (std::size_t i = planted; i < rows; ++i) {
+    std::ranges::shuffle(column_order, random);
+    for (std::size_t j = 0; j < share; ++j) matrix.set(row_order[i], column_order[j]);
+  }
+  return {"planted " + std::to_string(planted), std::move(matrix), planted, true};
+}
+
+HardInstance greedy_trap(int levels, std::size_t copies) {
+  const std::size_t rows = static_cast<std::size_t>(levels) + 2;
+  const std::size_t columns = 2 * ((std::size_t{1} << levels) - 1);
+  BitRows matrix(copies * rows, copies * columns);
+  for (std::size_t copy = 0; copy < copies; ++copy) {
+    const std::size_t first_row = copy * rows;
+    std::size_t column = copy * columns;
+    for (int level = levels; level >= 1; --level) {
+      const std::size_t half = std::size_t{1} << (level - 1);
+      matrix.set_range(first_row + static_cast<std::size_t>(levels - level), column, 2 * half);
+      matrix.set_range(first_row + rows - 2, column, half);
+      matrix.set_range(first_row + rows - 1, column + half, half);
+      column += 2 * half;
+    }
+  }
+  return {"greedy trap " + std::to_string(levels), std::move(matrix), 2 * copies, true};
+}
+
+std::vector<HardInstance> hard_instances() {
+  std::vector<HardInstance> instances;
+  for (const int dimension : {2, 3, 4}) instances.push_back(affine_lines(dimension));
+  for (const int dimension : {6, 7, 8}) instances.push_back(cube_cycles(dimension));
+  instances.push_back(bipartitions(11));
+  instances.push_back(planted_cover(20, 30, 400, 1));
+  instances.push_back(greedy_trap(6, 20));
+  return instances;
+}
+
+}  // namespace viewcover::reference
