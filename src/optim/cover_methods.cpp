@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "optim/exact_cover.h"
 #include "optim/greedy_cover.h"
 #include "optim/local_search.h"
 #include "optim/simulated_annealing.h"
@@ -17,10 +18,11 @@ std::unique_ptr<CoverMethod> make() {
 }
 
 constexpr std::array kMethods = {
+    CoverMethodEntry{"exact", make<ExactCover>},
+    CoverMethodEntry{"local", make<LocalSearch>},
     CoverMethodEntry{"sa", make<SimulatedAnnealing>},
     CoverMethodEntry{"tabu", make<TabuSearch>},
     CoverMethodEntry{"greedy", make<GreedyCover>},
-    CoverMethodEntry{"local", make<LocalSearch>},
 };
 
 }  // namespace

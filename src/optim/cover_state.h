@@ -43,6 +43,7 @@ class CoverState {
   std::vector<std::size_t> chosen() const;  ///< ascending
   Benefit benefit() const { return benefit_; }
   Benefit total() const { return total_; }
+  std::span<const Benefit> weights() const { return weights_; }  ///< benefit of each column
   bool covers_all() const { return uncovered_.empty(); }
   /// In no particular order, but the same order after the same calls.
   std::span<const std::uint32_t> uncovered() const { return uncovered_; }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "links/bit_rows.h"
 
 namespace viewcover {
+
+struct CoverProof;
 
 /// Choose the fewest rows whose union is the union of all rows; a column counts with its weight.
 ///
@@ -52,6 +55,8 @@ struct CoverStep {
   double upper_bound_percent = 100;  ///< no k rows cover more (proven)
   std::uint64_t evaluations = 0;     ///< benefits computed for this k, or for the only step
   double seconds = 0;                ///< for this k, or for the only step
+  /// No k rows have a greater benefit in the units of CoverState, by methods that prove it.
+  bool proved = false;
 
   friend bool operator==(const CoverStep&, const CoverStep&) = default;
 };
@@ -63,6 +68,11 @@ struct RegionCover {
   bool whole = true;
   /// The time limit ended the search. Sets that it kept from being searched are filled up greedily.
   bool time_limit_reached = false;
+  /// Of lower_bound, for the instance's rows(), by methods that prove it (optim/cover_proof.h).
+  std::shared_ptr<const CoverProof> proof;
+  /// Different smallest covers, each ascending, at most CoverOptions::solutions of them.
+  std::vector<std::vector<std::size_t>> solutions;
+  bool solutions_complete = false;  ///< there are no other smallest covers
 
   /// Rows of the last step; 0 where nothing is coverable.
   std::size_t size() const { return steps.empty() ? 0 : steps.back().k; }
@@ -85,6 +95,8 @@ struct BetterCover {
 struct CoverOptions {
   CoverGoal goal = CoverGoal::kEveryK;
   std::size_t k = 0;  ///< of `kOneK`; with 0 there are no steps
+  /// How many different smallest covers are wanted in RegionCover::solutions; `exact` only.
+  std::size_t solutions = 0;
   std::uint64_t seed = 1;
   double time_limit_seconds = 0;                      ///< 0: none
   const std::atomic<bool>* stop = nullptr;            ///< set from outside to end early

@@ -29,6 +29,11 @@ class SearchLimits {
   }
   /// Since construction.
   double seconds() const { return watch_.seconds(); }
+  /// True iff expired() would say so or throw; changes nothing.
+  bool due() const {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return true;
+    return expired_ || (time_limit_ > 0 && watch_.seconds() >= time_limit_);
+  }
   /// True iff some call of expired() said so.
   bool has_expired() const { return expired_; }
 
