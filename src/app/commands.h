@@ -19,5 +19,7 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_solve_command(CLI::App& app, int& exit_code);
 void add_generate_command(CLI::App& app, int& exit_code);
 void add_sees_command(CLI::App& app, int& exit_code);
+void add_cover_command(CLI::App& app, int& exit_code);
+void add_verify_command(CLI::App& app, int& exit_code);
 
 }  // namespace viewcover

@@ -49,6 +49,8 @@ int main(int argc, char** argv) {
   add_solve_command(app, exit_code);
   add_generate_command(app, exit_code);
   add_sees_command(app, exit_code);
+  add_cover_command(app, exit_code);
+  add_verify_command(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

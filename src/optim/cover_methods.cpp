@@ -18,10 +18,8 @@ std::unique_ptr<CoverMethod> make() {
 }
 
 constexpr std::array kMethods = {
-    CoverMethodEntry{"exact", make<ExactCover>},
-    CoverMethodEntry{"local", make<LocalSearch>},
-    CoverMethodEntry{"sa", make<SimulatedAnnealing>},
-    CoverMethodEntry{"tabu", make<TabuSearch>},
+    CoverMethodEntry{"exact", make<ExactCover>},      CoverMethodEntry{"local", make<LocalSearch>},
+    CoverMethodEntry{"sa", make<SimulatedAnnealing>}, CoverMethodEntry{"tabu", make<TabuSearch>},
     CoverMethodEntry{"greedy", make<GreedyCover>},
 };
 

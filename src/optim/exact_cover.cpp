@@ -124,7 +124,8 @@ RegionCover ExactCover::solve(const CoverInstance& instance, const CoverOptions&
       add_step(coverage.step(k));
     }
   }
-  if (options.goal != CoverGoal::kOneK || options.k >= whole.k) add_step(std::move(whole));
+  cover.whole = options.goal != CoverGoal::kOneK || options.k >= whole.k;
+  if (cover.whole) add_step(std::move(whole));
   cover.time_limit_reached = limits.has_expired() || cover_limits.has_expired();
   return cover;
 }

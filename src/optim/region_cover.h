@@ -100,6 +100,7 @@ struct CoverOptions {
   std::uint64_t seed = 1;
   double time_limit_seconds = 0;                      ///< 0: none
   const std::atomic<bool>* stop = nullptr;            ///< set from outside to end early
+  bool stop_keeps_best = false;                       ///< `stop` ends as the time limit does
   std::function<void(const CoverStep&)> on_step;      ///< after each k that is searched
   std::function<void(const BetterCover&)> on_better;  ///< after each smaller whole cover
 };
@@ -115,7 +116,7 @@ class CoverMethod {
   /// Best sets for options.goal: by default for k = 1, 2, ... until everything coverable is covered
   /// (paper, section 2.3). An instance without coverable columns gives no steps.
   /// The functions of `options` are called from the calling thread.
-  /// Errors: Interrupted if options.stop is set.
+  /// Errors: Interrupted if options.stop is set, unless options.stop_keeps_best is.
   virtual RegionCover solve(const CoverInstance& instance, const CoverOptions& options) const = 0;
 
  protected:

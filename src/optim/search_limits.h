@@ -13,12 +13,17 @@ namespace viewcover {
 class SearchLimits {
  public:
   explicit SearchLimits(const CoverOptions& options)
-      : stop_(options.stop), time_limit_(options.time_limit_seconds) {}
+      : stop_(options.stop),
+        stop_keeps_best_(options.stop_keeps_best),
+        time_limit_(options.time_limit_seconds) {}
 
   /// True once the time limit has passed, and from then on. Cost: a clock reading, with a limit.
-  /// Errors: Interrupted if the stop flag is set.
+  /// Errors: Interrupted if the stop flag is set and does not keep the best.
   bool expired() {
-    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+      if (!stop_keeps_best_) throw Interrupted();
+      expired_ = true;
+    }
     if (!expired_ && time_limit_ > 0) expired_ = watch_.seconds() >= time_limit_;
     return expired_;
   }
@@ -39,6 +44,7 @@ class SearchLimits {
 
  private:
   const std::atomic<bool>* stop_;
+  bool stop_keeps_best_;
   double time_limit_;
   Stopwatch watch_;
   bool expired_ = false;

@@ -32,6 +32,7 @@ void Bundle::write(const Solution& solution) const {
   write_links(solution, folder_ / "links.csv");
   write_visibility(solution.matrix, folder_ / "visibility.mtx");
   write_cover(solution.cover, folder_ / "cover.csv");
+  write_proof(solution, folder_ / "cover.proof");
   write_viewpoints(folder_ / "viewpoints.csv");
   write_scene_vtp(solution, folder_ / "scene.vtp");
   write_surface_mesh(solution, folder_ / "surface.ply");

@@ -1,7 +1,9 @@
 #include "report/tables.h"
 
 #include <algorithm>
+#include <sstream>
 
+#include "optim/cover_proof.h"
 #include "report/file_writer.h"
 
 namespace viewcover {
@@ -146,6 +148,19 @@ void write_cover(const RegionCover& cover, const std::filesystem::path& file) {
     }
     out << '\n';
   }
+  out.commit();
+}
+
+void write_proof(const Solution& solution, const std::filesystem::path& file) {
+  if (solution.cover.proof == nullptr) {
+    std::filesystem::remove(file);
+    return;
+  }
+  const CoverInstance instance(solution.matrix.bits, solution.matrix.areas);
+  std::ostringstream text;
+  write_cover_proof(text, instance.rows(), *solution.cover.proof);
+  FileWriter out(file);
+  out << text.str();
   out.commit();
 }
 

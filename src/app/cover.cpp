@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+#include "app/option_values.h"
+#include "app/progress.h"
+#include "optim/cover_file.h"
+#include "optim/cover_methods.h"
+#include "optim/cover_proof.h"
+#include "optim/stopwatch.h"
+#include "report/file_writer.h"
+#include "report/run_record.h"
+#include "scene/error.h"
+
+namespace viewcover {
+namespace {
+
+constexpr int kDone = 0, kNotProved = 1, kInterrupted = 130;
+
+struct CoverText {
+  CommonOptions common;
+  std::string matrix, format, weights, method = "exact", k, time_limit, proof, solutions;
+};
+
+struct FormatName {
+  std::string_view name;
+  CoverFormat format;
+};
+constexpr std::array kFormats = {
+    FormatName{"mtx", CoverFormat::kMatrixMarket}, FormatName{"scp", CoverFormat::kScp},
+    FormatName{"rail", CoverFormat::kRail}, FormatName{"hs", CoverFormat::kHittingSet}};
+
+template <class Entries>
+std::vector<std::string_view> names_of(const Entries& entries) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
+CoverFormat format_of(const CoverText& text) {
+  if (text.format.empty()) return detect_cover_format(text.matrix);
+  require_available("--format", text.format, names_of(kFormats));
+  return std::ranges::find(kFormats, text.format, &FormatName::name)->format;
+}
+
+struct CoverQuestion {
+  BitRows matrix;
+  std::vector<double> weights;
+  std::unique_ptr<CoverMethod> method;
+  CoverOptions options;
+  std::filesystem::path proof_file;
+
+  explicit CoverQuestion(const CoverText& text) : proof_file(text.proof) {
+    if (text.matrix.empty()) throw InputError("MATRIX", "is missing", "give a file");
+    require_available("--method", text.method, names_of(cover_methods()));
+    method = make_cover_method(text.method);
+    options.goal = text.k.empty() ? CoverGoal::kWholeCover : CoverGoal::kOneK;
+    if (!text.k.empty()) options.k = count_option("--k", text.k, 1, UINT32_MAX);
+    if (!text.time_limit.empty()) {
+      options.time_limit_seconds = positive_option("--time-limit", text.time_limit);
+    }
+    if (!text.solutions.empty()) {
+      options.solutions = count_option("--solutions", text.solutions, 1, 1'000'000);
+    }
+    options.seed = count_option("--seed", text.common.seed, 0, UINT64_MAX);
+    if (!text.common.threads.empty()) count_option("--threads", text.common.threads, 1, 1024);
+    if (text.method != "exact" || !text.k.empty()) {
+      const std::string_view needed =
+          "only the fewest choices have one: use --method exact without --k";
+      if (!text.proof.empty()) throw InputError("--proof", "there is none to write", needed);
+      if (options.solutions > 0) throw InputError("--solutions", "nothing to list", needed);
+    }
+    matrix = read_cover_file(text.matrix, format_of(text));
+    weights = text.weights.empty() ? std::vector<double>(matrix.columns(), 1)
+                                   : read_weights(text.weights, matrix.columns());
+  }
+};
+
+std::vector<std::size_t> counted_from_1(std::vector<std::size_t> numbers) {
+  for (std::size_t& number : numbers) ++number;
+  return numbers;
+}
+
+std::vector<std::size_t> uncoverable_columns(const BitRows& matrix) {
+  std::vector<std::size_t> columns;
+  const std::vector<BitRows::Word> covered = matrix.union_of_all();
+  for (std::size_t column = 0; column < matrix.columns(); ++column) {
+    if ((covered[column / 64] >> (column % 64) & 1) == 0) columns.push_back(column);
+  }
+  return columns;
+}
+
+Json answer(const CoverQuestion& question, const CoverInstance& instance, const RegionCover& cover,
+            double seconds) {
+  const CoverStep step = cover.steps.empty() ? CoverStep{} : cover.steps.back();
+  Json json;
+  json["size"] = step.chosen.size();
+  json["lower_bound"] = cover.lower_bound;
+  const bool one_k = question.options.goal == CoverGoal::kOneK;
+  json["proved"] = one_k ? step.proved : cover.proved();
+  json["chosen"] = counted_from_1(step.chosen);
+  json["uncoverable"] = counted_from_1(uncoverable_columns(question.matrix));
+  json["covered_weight"] = instance.covered_weight(step.chosen);
+  if (one_k) {
+    json["covered_percent"] = instance.covered_percent(step.chosen);
+    json["upper_bound_percent"] = step.upper_bound_percent;
+  }
+  if (question.options.solutions > 0) {
+    json["solutions"] = Json::array();
+    for (const auto& solution : cover.solutions) {
+      json["solutions"].push_back(counted_from_1(solution));
+    }
+    json["solutions_complete"] = cover.solutions_complete;
+  }
+  json["seconds"] = seconds;
+  json["method"] = question.method->name();
+  json["evaluations"] = step.evaluations;
+  return json;
+}
+
+RegionCover search(CoverQuestion& question, const CoverInstance& instance, bool quiet) {
+  const std::size_t bound = instance.lower_bound();
+  std::atomic<std::size_t> best = 0;
+  const Progress shown(
+      "cover",
+      [&] {
+        const std::size_t found = best.load();
+        return Progress::State{
+            found == 0 ? 0 : static_cast<double>(bound) / static_cast<double>(found),
+            found == 0 ? std::string("no cover yet")
+                       : "best " + std::to_string(found) + ", bound " + std::to_string(bound)};
+      },
+      quiet);
+  question.options.stop = &interrupt_flag();
+  question.options.stop_keeps_best = true;
+  question.options.on_better = [&](const BetterCover& better) { best = better.chosen.size(); };
+  return question.method->solve(instance, question.options);
+}
+
+int cover(const CoverText& text) {
+  const Stopwatch watch;
+  CoverQuestion question(text);
+  const CoverInstance instance(question.matrix, question.weights);
+  const RegionCover cover = search(question, instance, text.common.quiet);
+  if (!question.proof_file.empty()) {
+    FileWriter file(question.proof_file);
+    std::ostringstream proof;
+    write_cover_proof(proof, instance.rows(), *cover.proof);
+    file << proof.str();
+    file.commit();
+  }
+  const Json json = answer(question, instance, cover, watch.seconds());
+  print_out(json.dump() + "\n");
+  if (interrupt_flag()) return kInterrupted;
+  const bool asked_for_proof = question.method->name() == "exact";
+  return asked_for_proof && !json["proved"].get<bool>() ? kNotProved : kDone;
+}
+
+}  // namespace
+
+void add_cover_command(CLI::App& app, int& exit_code) {
+  const auto text = std::make_shared<CoverText>();
+  const std::vector<std::string_view> methods = names_of(cover_methods());
+  CLI::App* const command = app.add_subcommand(
+      "cover", "find the fewest choices that cover everything coverable in a 0/1 matrix");
+  const auto option = [&](const char* name, std::string& value, const std::string& what,
+                          const char* type) {
+    command->add_option(name, value, what)->type_name(type);
+  };
+  option("matrix", text->matrix,
+         "Matrix Market pattern (rows are chosen, columns covered), OR-Library or hitting set file",
+         "MATRIX");
+  option("--format", text->format,
+         "mtx, scp, rail (OR-Library: columns are chosen, rows covered; costs are ignored) or hs "
+         "(PACE hitting set); default: by the first characters",
+         "NAME");
+  option("--weights", text->weights, "a number for each thing to cover (default: 1)", "FILE");
+  option("--method", text->method, alternatives(methods) + " (default: exact)", "NAME");
+  option("--k", text->k, "cover as much weight as possible with K choices instead", "K");
+  option("--time-limit", text->time_limit,
+         "seconds; then the best so far, exit code 1 if not proved", "S");
+  option("--proof", text->proof, "write a proof of the lower bound (exact)", "FILE");
+  option("--solutions", text->solutions, "list up to N different smallest covers (exact)", "N");
+  add_common_options(*command, text->common);
+  command->callback([text, &exit_code] { exit_code = cover(*text); });
+}
+
+}  // namespace viewcover

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <regex>
+
+#include "bundle_files.h"
+#include "scene/scratch_folder.h"
+
+namespace viewcover::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Verify : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string scene = (folder_.path() / "scene.obj").string();
+    ASSERT_EQ(
+        viewcover_run({"generate", "living-room", "--detail", "simple", "-o", scene}).exit_code, 0);
+    ASSERT_EQ(
+        viewcover_run({"solve", scene, "--region", (folder_.path() / "scene.region.json").string(),
+                       "--backend", "rays", "--regions", "16", "-o", bundle().string(), "--quiet"})
+            .exit_code,
+        0);
+  }
+  std::filesystem::path bundle() const { return folder_.path() / "bundle"; }
+  Outcome verify() const { return viewcover_run({"verify", bundle().string()}); }
+
+  /// Replaces the first match of a pattern in a file of the bundle.
+  void damage(const std::string& name, const std::string& pattern, const std::string& by) const {
+    const std::string text = read_file(bundle() / name);
+    const std::string changed =
+        std::regex_replace(text, std::regex(pattern), by, std::regex_constants::format_first_only);
+    ASSERT_NE(text, changed);
+    std::ofstream(bundle() / name) << changed;
+  }
+  void expect_contradiction(const std::string& claim) const {
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.error, HasSubstr("not true that " + claim));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Verify, AnUntouchedBundleHolds) {
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_THAT(outcome.out, HasSubstr("holds: cover.proof proves"));
+}
+
+TEST_F(Verify, FindsAWrongCount) {
+  damage("run.json", "\"optimal_regions\": \\d+", "\"optimal_regions\": 1");
+  expect_contradiction("run.json agrees");
+}
+TEST_F(Verify, FindsAWrongShare) {
+  damage("cover.csv", "\n1,\\d+", "\n1,99");
+  expect_contradiction("cover.csv states");
+}
+TEST_F(Verify, FindsAMissingEntry) {
+  // The entry moves to a place that is taken.
+  damage("visibility.mtx", "\n1 1\n1 2\n", "\n1 2\n1 2\n");
+  expect_contradiction("elements.csv counts");
+}
+TEST_F(Verify, FindsAWrongMark) {
+  const Table regions(bundle() / "regions.csv");
+  std::string before, after;
+  for (std::size_t i = 0; i <= regions.column("chosen"); ++i) {
+    const std::string& field = regions.rows[0][i];
+    before += field + ",";
+    after += (i < regions.column("chosen") ? field : field == "0" ? "1" : "0") + ",";
+  }
+  std::string text = read_file(bundle() / "regions.csv");
+  text.replace(text.find(before), before.size(), after);
+  std::ofstream(bundle() / "regions.csv") << text;
+  expect_contradiction("regions.csv marks");
+}
+TEST_F(Verify, FindsAWrongProof) {
+  damage("cover.proof", "\nbound (\\d+)", "\nbound 99");
+  expect_contradiction("cover.proof proves");
+}
+
+TEST_F(Verify, AnIncompleteRunIsNoBundle) {
+  damage("run.json", "\"complete\": true", "\"complete\": false");
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("not complete"));
+}
+
+}  // namespace
+}  // namespace viewcover::testing
