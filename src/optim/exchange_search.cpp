@@ -1,17 +1,11 @@
 #include "optim/exchange_search.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace viewcover {
 namespace {
 
-using Score = ScoredCover::Score;
-
-/// Fixed-point bits of the total weight: leaves room for weights to grow a million times.
-constexpr int kTotalBits = 40;
 /// One exchange in so many takes out a row picked at random.
 constexpr std::size_t kExchangesPerRandomRow = 8;
 /// Exchanges in which a removed row may not come back: the least, and how many more by chance.
@@ -20,22 +14,11 @@ constexpr std::size_t kLeastAbsence = 2, kMoreAbsence = 8;
 /// back to the best set and the columns' own weights.
 constexpr std::size_t kExchangesPerStart = 1000, kExchangesPerStartAndRow = 20;
 
-std::vector<Score> integer_weights(const CoverInstance& instance) {
-  std::vector<Score> weights;
-  for (const double weight : instance.weights()) {
-    const double share = instance.total_weight() > 0 ? weight / instance.total_weight() : 0;
-    weights.push_back(std::max<Score>(1, std::llround(std::ldexp(share, kTotalBits))));
-  }
-  return weights;
-}
-
 }  // namespace
 
-ExchangeSearch::ExchangeSearch(const CoverInstance& instance, RandomNumbers& random)
-    : weights_(integer_weights(instance)), cover_(instance.rows(), weights_), random_(random) {
-  for (Index row = 0; row < cover_.row_count(); ++row) heaviest_.push_back(cover_.score(row));
-  std::ranges::sort(heaviest_, std::greater<>());
-}
+ExchangeSearch::ExchangeSearch(const IncidenceLists& lists, const IntegerWeights& weights,
+                               RandomNumbers& random)
+    : weights_(weights), cover_(lists, weights.columns), random_(random) {}
 
 std::vector<ExchangeSearch::Index> ExchangeSearch::grown(const std::vector<Index>& rows,
                                                          std::size_t k) {
@@ -71,10 +54,7 @@ std::vector<ExchangeSearch::Index> ExchangeSearch::improved(const std::vector<In
   assign(rows);
   best_ = rows;
   best_missed_ = missed();
-  const Score total = std::accumulate(weights_.begin(), weights_.end(), Score{0});
-  const Score most = std::accumulate(
-      heaviest_.begin(), heaviest_.begin() + static_cast<std::ptrdiff_t>(rows.size()), Score{0});
-  const Score least_missed = std::max<Score>(0, total - most);
+  const Score least_missed = weights_.total - weights_.upper_bound(rows.size());
   const std::size_t exchanges = kExchangesPerStart + kExchangesPerStartAndRow * rows.size();
   std::size_t since_better = 0;
   while (best_missed_ > least_missed && !effort.spent(work())) {
@@ -87,6 +67,7 @@ std::vector<ExchangeSearch::Index> ExchangeSearch::improved(const std::vector<In
       since_better = 0;
     } else if (since_better == exchanges) {
       assign(best_);
+      replace_some_rows();
       since_better = 0;
     } else {
       raise_uncovered();
@@ -96,16 +77,32 @@ std::vector<ExchangeSearch::Index> ExchangeSearch::improved(const std::vector<In
 }
 
 void ExchangeSearch::assign(const std::vector<Index>& rows) {
-  cover_.set_weights(weights_);
+  cover_.set_weights(weights_.columns);
   const std::vector<Index> before(cover_.chosen().begin(), cover_.chosen().end());
   for (const Index row : before) cover_.remove(row);
   for (const Index row : rows) cover_.add(row);
 }
 
+void ExchangeSearch::replace_some_rows() {
+  for (std::size_t left = random_.below(cover_.chosen().size() + 1); left > 0; --left) {
+    cover_.remove(cover_.chosen()[random_.below(cover_.chosen().size())]);
+    Index row = 0;
+    do {
+      row = static_cast<Index>(random_.below(cover_.row_count()));
+    } while (cover_.contains(row));
+    cover_.add(row);
+  }
+}
+
 void ExchangeSearch::exchange() {
   const std::uint64_t before = cover_.work();
-  cover_.remove(row_to_remove());
-  cover_.add(row_to_add());
+  if (random_.below(2) == 0) {
+    cover_.remove(row_to_remove());
+    cover_.add(row_to_add());
+  } else {
+    cover_.add(row_to_add());
+    cover_.remove(row_to_remove());
+  }
   exchange_work_ += cover_.work() - before;
 }
 
@@ -136,16 +133,16 @@ ExchangeSearch::Index ExchangeSearch::row_to_add() {
   return best_free.value_or(*best);
 }
 
-ExchangeSearch::Score ExchangeSearch::missed() const {
+Score ExchangeSearch::missed() const {
   Score sum = 0;
-  for (const Index column : cover_.uncovered()) sum += weights_[column];
+  for (const Index column : cover_.uncovered()) sum += weights_.columns[column];
   return sum;
 }
 
 void ExchangeSearch::raise_uncovered() {
   if (raise_work_ > exchange_work_) return;
   const std::uint64_t before = cover_.work();
-  for (const Index column : cover_.uncovered()) cover_.raise(column, weights_[column]);
+  for (const Index column : cover_.uncovered()) cover_.raise(column, weights_.columns[column]);
   raise_work_ += cover_.work() - before;
 }
 

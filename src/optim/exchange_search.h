@@ -2,28 +2,28 @@
 
 #include <vector>
 
-#include "optim/region_cover.h"
+#include "optim/integer_weights.h"
 #include "optim/scored_cover.h"
 #include "optim/search_effort.h"
 #include "scene/random_numbers.h"
 
 namespace viewcover {
 
-/// Local search by weights for the k rows that cover most (maximum coverage).
+/// Local search by weights for the many rows that cover most (maximum coverage).
 ///
 /// Exchanges of one row: out goes the row of least loss, now and then one picked at random; in
 /// comes the row of greatest gain that was not removed in the exchanges just before (tabu search,
-/// Glover 1989). Gains and losses are those under weights that start as the columns' own and grow
-/// on columns left uncovered, as in WholeCoverSearch; growing is paused where it would cost more
-/// than the exchanges themselves. When a number of exchanges gave no better set, the search goes
-/// back to the best one and to the columns' own weights.
-/// Not safe for concurrent use.
+/// Glover 1989); which of the two goes first is left to chance. Gains and losses are those under
+/// weights that start as the columns' own and grow on columns left uncovered, as in
+/// WholeCoverSearch; growing is paused where it would cost more than the exchanges themselves. When
+/// a number of exchanges gave no better set, the search goes back to the columns' own weights and
+/// to the best set, with some rows replaced at random. Not safe for concurrent use.
 class ExchangeSearch {
  public:
   using Index = ScoredCover::Index;
-  using Score = ScoredCover::Score;
 
-  ExchangeSearch(const CoverInstance& instance, RandomNumbers& random);
+  /// All must outlive the search.
+  ExchangeSearch(const IncidenceLists& lists, const IntegerWeights& weights, RandomNumbers& random);
 
   std::uint64_t evaluations() const { return evaluations_; }
   std::uint64_t work() const { return cover_.work() + evaluations_; }
@@ -39,6 +39,8 @@ class ExchangeSearch {
  private:
   /// Columns have their own weights afterwards.
   void assign(const std::vector<Index>& rows);
+  /// Random rows come in for random ones: for none up to about all.
+  void replace_some_rows();
   void exchange();
   Index row_to_remove();
   Index row_to_add();
@@ -46,8 +48,7 @@ class ExchangeSearch {
   Score missed() const;
   void raise_uncovered();
 
-  std::vector<Score> weights_;   ///< of the columns, in units of 2^-40 of the total
-  std::vector<Score> heaviest_;  ///< weights of whole rows, descending
+  const IntegerWeights& weights_;
   ScoredCover cover_;
   RandomNumbers& random_;
   std::vector<Index> best_;

@@ -4,6 +4,7 @@
 
 #include "optim/exchange_search.h"
 #include "optim/growing_cover.h"
+#include "optim/swap_search.h"
 #include "optim/whole_cover_search.h"
 
 namespace viewcover {
@@ -15,7 +16,9 @@ using Index = ScoredCover::Index;
 /// second.
 constexpr std::uint64_t kPatience = 200'000'000;
 /// The same for the searches of all k together, and at least for each.
-constexpr std::uint64_t kPatienceForAllK = 200'000'000, kLeastPatienceForK = 1'000'000;
+constexpr std::uint64_t kPatienceForAllK = 300'000'000, kLeastPatienceForK = 1'000'000;
+/// Exchanges of one row, #rows x k, up to which all of them are looked at in each step.
+constexpr std::size_t kMostSwaps = 100'000;
 /// Part of the time limit for the whole cover when sets of fewer rows are asked for too.
 constexpr double kShareOfWholeCover = 0.5;
 
@@ -23,7 +26,14 @@ constexpr double kShareOfWholeCover = 0.5;
 class LocalRun {
  public:
   LocalRun(const CoverInstance& instance, const CoverOptions& options)
-      : instance_(instance), options_(options), limits_(options), random_(options.seed) {
+      : instance_(instance),
+        options_(options),
+        limits_(options),
+        random_(options.seed),
+        lists_(instance.rows()),
+        weights_(instance),
+        exchanges_(lists_, weights_, random_),
+        swaps_(lists_, weights_, random_) {
     cover_.lower_bound = instance.lower_bound();
   }
 
@@ -49,7 +59,7 @@ class LocalRun {
 
  private:
   void find_whole_cover() {
-    WholeCoverSearch search(instance_.rows(), random_);
+    WholeCoverSearch search(lists_, random_);
     const auto report = [&] {
       if (options_.on_better) options_.on_better({sorted(search.best()), limits_.seconds()});
     };
@@ -66,27 +76,24 @@ class LocalRun {
   }
 
   void find_one_k() {
-    ExchangeSearch search(instance_, random_);
     const std::vector<Index> found =
-        best_set(search, search.grown({}, options_.k), search.in_order_of_loss(whole_cover_), 1,
+        best_set(exchanges_.grown({}, options_.k), exchanges_.in_order_of_loss(whole_cover_), 1,
                  kPatienceForAllK);
-    add_step(found, 0, evaluations_for_whole_cover_ + search.evaluations());
+    add_step(found, 0, evaluations_for_whole_cover_ + evaluations());
     cover_.whole = instance_.covers_all(cover_.steps.back().chosen);
   }
 
   /// Ends before the whole cover, or with a smaller one.
   void find_smaller_sets() {
-    ExchangeSearch search(instance_, random_);
-    const std::vector<Index> order = search.in_order_of_loss(whole_cover_);
+    const std::vector<Index> order = exchanges_.in_order_of_loss(whole_cover_);
     std::vector<Index> found;
     for (std::size_t k = 1; k < whole_cover_.size(); ++k) {
       const double seconds_before = limits_.seconds();
-      const std::uint64_t evaluations_before = search.evaluations();
+      const std::uint64_t evaluations_before = evaluations();
       const std::size_t left = whole_cover_.size() - k;
-      found = best_set(search, search.grown(found, k), order, 1 / static_cast<double>(left),
+      found = best_set(exchanges_.grown(found, k), order, 1 / static_cast<double>(left),
                        std::max(kLeastPatienceForK, kPatienceForAllK / (whole_cover_.size() - 1)));
-      add_step(found, limits_.seconds() - seconds_before,
-               search.evaluations() - evaluations_before);
+      add_step(found, limits_.seconds() - seconds_before, evaluations() - evaluations_before);
       if (!instance_.covers_all(cover_.steps.back().chosen)) continue;
       whole_cover_ = found;
       if (options_.on_better) options_.on_better({sorted(found), limits_.seconds()});
@@ -95,18 +102,28 @@ class LocalRun {
 
   /// Starts from the better one of `grown` and as many rows at the end of `order`. Covers at least
   /// as much as `grown`.
-  std::vector<Index> best_set(ExchangeSearch& search, const std::vector<Index>& grown,
-                              const std::vector<Index>& order, double share,
-                              std::uint64_t patience) {
+  std::vector<Index> best_set(const std::vector<Index>& grown, const std::vector<Index>& order,
+                              double share, std::uint64_t patience) {
     const std::vector<Index> kept(order.end() - static_cast<std::ptrdiff_t>(grown.size()),
                                   order.end());
-    SearchEffort effort(limits_, share, patience, search.work());
-    const std::vector<Index> found =
-        search.improved(covered_percent(kept) > covered_percent(grown) ? kept : grown, effort);
-    note_limit(effort);
+    const std::vector<Index>& start = covered_percent(kept) > covered_percent(grown) ? kept : grown;
+    const std::vector<Index> found = grown.size() * lists_.row_count() <= kMostSwaps
+                                         ? improved(swaps_, start, share, patience)
+                                         : improved(exchanges_, start, share, patience);
     // Weights are rounded in the search.
     return covered_percent(found) < covered_percent(grown) ? grown : found;
   }
+
+  template <class Search>
+  std::vector<Index> improved(Search& search, const std::vector<Index>& start, double share,
+                              std::uint64_t patience) {
+    SearchEffort effort(limits_, share, patience, search.work());
+    const std::vector<Index> found = search.improved(start, effort);
+    note_limit(effort);
+    return found;
+  }
+
+  std::uint64_t evaluations() const { return exchanges_.evaluations() + swaps_.evaluations(); }
 
   void add_step(const std::vector<Index>& rows, double seconds, std::uint64_t evaluations) {
     CoverStep step = make_step(instance_, sorted(rows));
@@ -134,6 +151,10 @@ class LocalRun {
   const CoverOptions& options_;
   SearchLimits limits_;
   RandomNumbers random_;
+  IncidenceLists lists_;
+  IntegerWeights weights_;
+  ExchangeSearch exchanges_;
+  SwapSearch swaps_;
   RegionCover cover_;
   std::vector<Index> whole_cover_;
   std::uint64_t evaluations_for_whole_cover_ = 0;

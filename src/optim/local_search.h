@@ -9,8 +9,8 @@ namespace viewcover {
 /// First a whole cover as small as can be found (WholeCoverSearch). Where fewer rows are asked for,
 /// then k = 1, 2, ...: the best set of k - 1 rows and the row that adds most, or the rows of the
 /// whole cover that are given up last, start a search for the k rows that cover most
-/// (ExchangeSearch). Coverage never decreases with k; a search that happens on a smaller whole
-/// cover ends the steps there.
+/// (SwapSearch, or ExchangeSearch where k and the rows are many). Coverage never decreases with k;
+/// a search that happens on a smaller whole cover ends the steps there.
 ///
 /// Without a time limit every search ends after a number of operations without success: the same
 /// run for the same seed on any machine. With a time limit all of it is used: half for the whole

@@ -12,32 +12,18 @@ constexpr std::size_t kScanShare = 8;
 
 }  // namespace
 
-ScoredCover::ScoredCover(const BitRows& matrix, std::vector<Score> weights)
-    : row_begin_(matrix.columns() + 1, 0),
-      scores_(matrix.rows(), 0),
-      changed_(matrix.rows(), 1),
-      times_covered_(matrix.columns(), 0),
-      row_mix_(matrix.columns(), 0),
-      moved_at_(matrix.rows(), 0),
-      removable_(matrix.rows()),
-      is_stale_(matrix.rows(), 0),
-      place_(matrix.rows(), kNowhere),
-      uncovered_(matrix.columns()),
-      uncovered_place_(matrix.columns()) {
-  column_begin_.push_back(0);
-  for (std::size_t row = 0; row < matrix.rows(); ++row) {
-    for_each_bit(matrix.row(row), [&](std::size_t column) {
-      columns_.push_back(static_cast<Index>(column));
-      ++row_begin_[column + 1];
-    });
-    column_begin_.push_back(columns_.size());
-  }
-  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-  rows_.resize(columns_.size());
-  std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
-  for (Index row = 0; row < matrix.rows(); ++row) {
-    for (const Index column : columns_of(row)) rows_[next[column]++] = row;
-  }
+ScoredCover::ScoredCover(const IncidenceLists& lists, std::vector<Score> weights)
+    : lists_(&lists),
+      scores_(lists.row_count(), 0),
+      changed_(lists.row_count(), 1),
+      times_covered_(lists.column_count(), 0),
+      row_mix_(lists.column_count(), 0),
+      moved_at_(lists.row_count(), 0),
+      removable_(lists.row_count()),
+      is_stale_(lists.row_count(), 0),
+      place_(lists.row_count(), kNowhere),
+      uncovered_(lists.column_count()),
+      uncovered_place_(lists.column_count()) {
   std::iota(uncovered_.begin(), uncovered_.end(), Index{0});
   std::iota(uncovered_place_.begin(), uncovered_place_.end(), Index{0});
   set_weights(std::move(weights));
@@ -81,8 +67,8 @@ void ScoredCover::add(Index row) {
   if (newest_ != kNowhere) removable_.push(newest_, scores_[newest_], moved_at_[newest_]);
   newest_ = row;
   const Score gain = scores_[row];
-  work_ += columns_of(row).size();
-  for (const Index column : columns_of(row)) {
+  work_ += lists_->columns_of(row).size();
+  for (const Index column : lists_->columns_of(row)) {
     const Index times = ++times_covered_[column];
     const Index other = row_mix_[column];
     row_mix_[column] ^= row;
@@ -122,8 +108,8 @@ void ScoredCover::remove(Index row) {
     removable_.erase(row);
   }
   const Score loss = scores_[row];
-  work_ += columns_of(row).size();
-  for (const Index column : columns_of(row)) {
+  work_ += lists_->columns_of(row).size();
+  for (const Index column : lists_->columns_of(row)) {
     const Index times = --times_covered_[column];
     row_mix_[column] ^= row;
     if (times > 1) continue;
@@ -158,13 +144,13 @@ void ScoredCover::raise(Index column, Score by) {
 void ScoredCover::set_weights(std::vector<Score> weights) {
   assert(weights.size() == times_covered_.size());
   weights_ = std::move(weights);
-  work_ += columns_.size();
+  work_ += lists_->ones();
   uncovered_weight_ = 0;
   for (const Index column : uncovered_) uncovered_weight_ += weights_[column];
   for (Index row = 0; row < scores_.size(); ++row) {
     const Index alone = contains(row) ? 1 : 0;
     Score score = 0;
-    for (const Index column : columns_of(row)) {
+    for (const Index column : lists_->columns_of(row)) {
       if (times_covered_[column] == alone) score += weights_[column];
     }
     scores_[row] = score;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "links/bit_rows.h"
+#include "optim/incidence_lists.h"
 #include "optim/loss_queue.h"
 
 namespace viewcover {
@@ -18,16 +18,14 @@ namespace viewcover {
 /// Not safe for concurrent use.
 class ScoredCover {
  public:
-  using Index = std::uint32_t;
+  using Index = IncidenceLists::Index;
   using Score = std::int64_t;
 
-  /// No row is chosen. Cost: O(#rows x #columns / 64 + #ones).
-  ScoredCover(const BitRows& matrix, std::vector<Score> weights);
+  /// No row is chosen. The lists must outlive the cover. Cost: O(#ones).
+  ScoredCover(const IncidenceLists& lists, std::vector<Score> weights);
 
   std::size_t row_count() const { return scores_.size(); }
-  std::size_t column_count() const { return weights_.size(); }
-  std::span<const Index> rows_of(Index column) const { return of(rows_, row_begin_, column); }
-  std::span<const Index> columns_of(Index row) const { return of(columns_, column_begin_, row); }
+  std::span<const Index> rows_of(Index column) const { return lists_->rows_of(column); }
 
   bool contains(Index row) const { return place_[row] != kNowhere; }
   /// In no particular order, but the same order after the same calls.
@@ -63,18 +61,9 @@ class ScoredCover {
  private:
   static constexpr Index kNowhere = ~Index{0};
 
-  static std::span<const Index> of(const std::vector<Index>& entries,
-                                   const std::vector<std::size_t>& begin, Index list) {
-    return {entries.data() + begin[list], begin[list + 1] - begin[list]};
-  }
-
   void score_changed(Index chosen_row);
 
-  std::vector<Index> columns_;  ///< of each row, one row after the other
-  std::vector<std::size_t> column_begin_;
-  std::vector<Index> rows_;  ///< of each column
-  std::vector<std::size_t> row_begin_;
-
+  const IncidenceLists* lists_;
   std::vector<Score> weights_;
   std::vector<Score> scores_;
   std::vector<char> changed_;

@@ -4,8 +4,8 @@
 
 namespace viewcover {
 
-WholeCoverSearch::WholeCoverSearch(const BitRows& matrix, RandomNumbers& random)
-    : cover_(matrix, std::vector<ScoredCover::Score>(matrix.columns(), 1)), random_(random) {
+WholeCoverSearch::WholeCoverSearch(const IncidenceLists& lists, RandomNumbers& random)
+    : cover_(lists, std::vector<ScoredCover::Score>(lists.column_count(), 1)), random_(random) {
   while (!cover_.uncovered().empty()) add_greedily();
   const auto is_redundant = [&] {
     return cover_.can_remove() && cover_.score(cover_.easiest_to_remove()) == 0;

@@ -25,7 +25,7 @@ class WholeCoverSearch {
   using Index = ScoredCover::Index;
 
   /// Begins with a greedy cover; ties are broken by chance.
-  WholeCoverSearch(const BitRows& matrix, RandomNumbers& random);
+  WholeCoverSearch(const IncidenceLists& lists, RandomNumbers& random);
 
   /// Rows of the smallest cover so far.
   const std::vector<Index>& best() const { return best_; }
