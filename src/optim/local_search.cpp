@@ -12,11 +12,11 @@ namespace {
 
 using Index = ScoredCover::Index;
 
-/// Work without success that ends the search for a whole cover, without a time limit: about a
-/// second.
-constexpr std::uint64_t kPatience = 200'000'000;
-/// The same for the searches of all k together, and at least for each.
-constexpr std::uint64_t kPatienceForAllK = 300'000'000, kLeastPatienceForK = 1'000'000;
+/// Work without success that ends the search for a whole cover, without a time limit: a number of
+/// times the entries of the matrix, at most about a second.
+constexpr std::uint64_t kPatiencePerOne = 20'000, kMostPatience = 200'000'000;
+/// The same for the searches of all k together, and at least for each of them.
+constexpr std::uint64_t kMostPatienceForAllK = 300'000'000, kLeastPatienceForK = 200'000;
 /// Exchanges of one row, #rows x k, up to which all of them are looked at in each step.
 constexpr std::size_t kMostSwaps = 100'000;
 /// Part of the time limit for the whole cover when sets of fewer rows are asked for too.
@@ -38,6 +38,7 @@ class LocalRun {
   }
 
   RegionCover result() {
+    limits_.expired();
     if (cover_.lower_bound == 0) return cover_;
     const bool one_k = options_.goal == CoverGoal::kOneK;
     if (one_k && options_.k == 0) {
@@ -53,7 +54,6 @@ class LocalRun {
         add_step(whole_cover_, seconds_for_whole_cover_, evaluations_for_whole_cover_);
       }
     }
-    if (options_.goal != CoverGoal::kEveryK) cover_.steps.back().seconds = limits_.seconds();
     return cover_;
   }
 
@@ -65,7 +65,8 @@ class LocalRun {
     };
     report();
     const bool only_this = options_.goal == CoverGoal::kWholeCover;
-    SearchEffort effort(limits_, only_this ? 1 : kShareOfWholeCover, kPatience, search.work());
+    SearchEffort effort(limits_, only_this ? 1 : kShareOfWholeCover, patience(kMostPatience),
+                        search.work());
     // No k rows cover everything if the bound says so: the time belongs to the search for the best.
     const bool excluded = options_.goal == CoverGoal::kOneK && options_.k < cover_.lower_bound;
     if (!excluded) search.run(effort, cover_.lower_bound, report);
@@ -78,8 +79,8 @@ class LocalRun {
   void find_one_k() {
     const std::vector<Index> found =
         best_set(exchanges_.grown({}, options_.k), exchanges_.in_order_of_loss(whole_cover_), 1,
-                 kPatienceForAllK);
-    add_step(found, 0, evaluations_for_whole_cover_ + evaluations());
+                 patience(kMostPatienceForAllK));
+    add_step(found, limits_.seconds(), evaluations_for_whole_cover_ + evaluations());
     cover_.whole = instance_.covers_all(cover_.steps.back().chosen);
   }
 
@@ -91,8 +92,9 @@ class LocalRun {
       const double seconds_before = limits_.seconds();
       const std::uint64_t evaluations_before = evaluations();
       const std::size_t left = whole_cover_.size() - k;
-      found = best_set(exchanges_.grown(found, k), order, 1 / static_cast<double>(left),
-                       std::max(kLeastPatienceForK, kPatienceForAllK / (whole_cover_.size() - 1)));
+      found = best_set(
+          exchanges_.grown(found, k), order, 1 / static_cast<double>(left),
+          std::max(kLeastPatienceForK, patience(kMostPatienceForAllK) / (whole_cover_.size() - 1)));
       add_step(found, limits_.seconds() - seconds_before, evaluations() - evaluations_before);
       if (!instance_.covers_all(cover_.steps.back().chosen)) continue;
       whole_cover_ = found;
@@ -103,21 +105,21 @@ class LocalRun {
   /// Starts from the better one of `grown` and as many rows at the end of `order`. Covers at least
   /// as much as `grown`.
   std::vector<Index> best_set(const std::vector<Index>& grown, const std::vector<Index>& order,
-                              double share, std::uint64_t patience) {
+                              double share, std::uint64_t most_work) {
     const std::vector<Index> kept(order.end() - static_cast<std::ptrdiff_t>(grown.size()),
                                   order.end());
     const std::vector<Index>& start = covered_percent(kept) > covered_percent(grown) ? kept : grown;
     const std::vector<Index> found = grown.size() * lists_.row_count() <= kMostSwaps
-                                         ? improved(swaps_, start, share, patience)
-                                         : improved(exchanges_, start, share, patience);
+                                         ? improved(swaps_, start, share, most_work)
+                                         : improved(exchanges_, start, share, most_work);
     // Weights are rounded in the search.
     return covered_percent(found) < covered_percent(grown) ? grown : found;
   }
 
   template <class Search>
   std::vector<Index> improved(Search& search, const std::vector<Index>& start, double share,
-                              std::uint64_t patience) {
-    SearchEffort effort(limits_, share, patience, search.work());
+                              std::uint64_t most_work) {
+    SearchEffort effort(limits_, share, most_work, search.work());
     const std::vector<Index> found = search.improved(start, effort);
     note_limit(effort);
     return found;
@@ -131,6 +133,10 @@ class LocalRun {
     step.evaluations = evaluations;
     cover_.steps.push_back(std::move(step));
     if (options_.on_step) options_.on_step(cover_.steps.back());
+  }
+
+  std::uint64_t patience(std::uint64_t most) const {
+    return std::min(most, kPatiencePerOne * lists_.ones());
   }
 
   void note_limit(const SearchEffort& effort) {

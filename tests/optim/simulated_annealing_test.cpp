@@ -3,47 +3,24 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <numeric>
 #include <random>
 
-#include "optim/cover_methods.h"
+#include "cover_checks.h"
 #include "reference_cover.h"
 #include "scene/error.h"
 
 namespace viewcover {
 namespace {
 
+using reference::expect_certificates;
+
 RegionCover solve(const BitRows& matrix, const std::vector<double>& weights,
                   std::uint64_t seed = 1) {
   CoverOptions options;
   options.seed = seed;
   return SimulatedAnnealing().solve(CoverInstance(matrix, weights), options);
-}
-
-/// Checks all that a cover claims but optimality, with the original matrix only.
-void expect_certificates(const BitRows& matrix, const std::vector<double>& weights,
-                         const RegionCover& cover) {
-  const std::vector<BitRows::Word> all = matrix.union_of_all();
-  const double total = weight_of(all, weights);
-  double before = 0;
-  for (std::size_t i = 0; i < cover.steps.size(); ++i) {
-    const CoverStep& step = cover.steps[i];
-    ASSERT_EQ(step.k, i + 1);
-    ASSERT_EQ(step.chosen.size(), step.k);
-    ASSERT_TRUE(std::ranges::is_sorted(step.chosen, std::less_equal<>()) || step.k == 1);
-    ASSERT_EQ(std::ranges::adjacent_find(step.chosen), step.chosen.end());
-    const std::vector<BitRows::Word> covered = matrix.union_of(step.chosen);
-    if (total > 0) {
-      ASSERT_NEAR(step.covered_percent, 100 * weight_of(covered, weights) / total, 1e-9);
-    }
-    ASSERT_GE(step.covered_percent, before);
-    ASSERT_LE(step.covered_percent, step.upper_bound_percent);
-    ASSERT_EQ(covered == all, i + 1 == cover.steps.size());
-    before = step.covered_percent;
-  }
-  ASSERT_LE(cover.lower_bound, cover.size());
 }
 
 TEST(SimulatedAnnealing, EqualsBruteForceOnSmallInstances) {
@@ -125,55 +102,6 @@ TEST(SimulatedAnnealing, FindsPlantedCovers) {
   }
 }
 
-TEST(SimulatedAnnealing, AffineSpacesTakeFiveAndEighteen) {
-  // Every line of AG(n,3) is to be hit by a chosen point. The points left over hold no line, so
-  // there are at most as many as in the largest cap set, 4 and 9: 9 - 4 and 27 - 9 are needed.
-  for (const auto& [dimension, optimum] : {std::pair<int, std::size_t>{2, 5}, {3, 18}}) {
-    const std::size_t points = dimension == 2 ? 9 : 27;
-    std::vector<std::array<std::size_t, 3>> lines;
-    for (std::size_t a = 0; a < points; ++a) {
-      for (std::size_t b = a + 1; b < points; ++b) {
-        std::size_t c = 0;
-        for (std::size_t digit = 1; digit < points; digit *= 3) {
-          c += (6 - a / digit % 3 - b / digit % 3) % 3 * digit;
-        }
-        if (c > b) lines.push_back({a, b, c});
-      }
-    }
-    BitRows matrix(points, lines.size());
-    for (std::size_t line = 0; line < lines.size(); ++line) {
-      for (const std::size_t point : lines[line]) matrix.set(point, line);
-    }
-    const RegionCover cover = solve(matrix, std::vector<double>(lines.size(), 1.0));
-    EXPECT_EQ(cover.size(), optimum);
-  }
-}
-
-TEST(SimulatedAnnealing, NothingToCoverGivesNoSteps) {
-  EXPECT_TRUE(solve(BitRows(), {}).steps.empty());
-  EXPECT_TRUE(solve(BitRows(4, 0), {}).steps.empty());
-  const RegionCover uncoverable = solve(BitRows(4, 3), {1, 1, 1});
-  EXPECT_TRUE(uncoverable.steps.empty());
-  EXPECT_EQ(uncoverable.lower_bound, 0u);
-  EXPECT_TRUE(uncoverable.proved());
-}
-
-TEST(SimulatedAnnealing, OneRowCoversAlone) {
-  BitRows matrix(1, 70);
-  matrix.set_range(0, 3, 66);
-  const RegionCover cover = solve(matrix, std::vector<double>(70, 0.1));
-  ASSERT_EQ(cover.size(), 1u);
-  EXPECT_EQ(cover.steps[0].covered_percent, 100);
-  EXPECT_TRUE(cover.proved());
-}
-
-TEST(SimulatedAnnealing, ColumnsWithoutWeightAreCoveredToo) {
-  BitRows matrix(3, 3);
-  for (std::size_t i = 0; i < 3; ++i) matrix.set(i, i);
-  EXPECT_EQ(solve(matrix, {1, 0, 1}).size(), 3u);
-  EXPECT_EQ(solve(matrix, {0, 0, 0}).size(), 3u);
-}
-
 TEST(SimulatedAnnealing, RepeatedRowsAndColumnsChangeNothing) {
   const reference::Room room = reference::furnished_room(8, 400, 5, 11);
   const std::size_t rows = room.matrix.rows(), columns = room.matrix.columns();
@@ -222,17 +150,6 @@ TEST(SimulatedAnnealing, StopFlagInterrupts) {
   EXPECT_THROW(SimulatedAnnealing().solve(instance, options), Interrupted);
 }
 
-TEST(SimulatedAnnealing, TimeLimitStillGivesAWholeCover) {
-  const reference::Room room = reference::furnished_room(16, 3000, 10, 5);
-  CoverOptions options;
-  options.time_limit_seconds = 1e-9;
-  const RegionCover cover =
-      SimulatedAnnealing().solve(CoverInstance(room.matrix, room.weights), options);
-  EXPECT_TRUE(cover.time_limit_reached);
-  expect_certificates(room.matrix, room.weights, cover);
-  EXPECT_FALSE(solve(BitRows(2, 0), {}).time_limit_reached);
-}
-
 TEST(SimulatedAnnealing, TimeLimitEndsTheSearchOfOneK) {
   const reference::Room room = reference::furnished_room(16, 3000, 10, 5);
   const CoverInstance instance(room.matrix, room.weights);
@@ -249,15 +166,6 @@ TEST(SimulatedAnnealing, TimeLimitEndsTheSearchOfOneK) {
   EXPECT_FALSE(whole.time_limit_reached);
   // k = 2 alone takes four rounds of thirty levels; a hundredth of a second is a part of the first.
   EXPECT_LT(evaluations(limited), whole.steps.at(1).evaluations);
-}
-
-TEST(CoverMethods, AreFoundByName) {
-  ASSERT_FALSE(cover_methods().empty());
-  for (const CoverMethodEntry& entry : cover_methods()) {
-    ASSERT_NE(make_cover_method(entry.name), nullptr);
-    EXPECT_EQ(make_cover_method(entry.name)->name(), entry.name);
-  }
-  EXPECT_EQ(make_cover_method("guess"), nullptr);
 }
 
 }  // namespace
