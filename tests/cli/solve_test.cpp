@@ -62,8 +62,8 @@ TEST(Solve, BundleHasItsFilesAndColumns) {
   const std::filesystem::path bundle = room.bundle();
   EXPECT_EQ(names_in(bundle),
             (std::set<std::string>{"run.json", "regions.csv", "elements.csv", "links.csv",
-                                   "visibility.mtx", "cover.csv", "viewpoints.csv", "scene.vtp",
-                                   "surface.ply", "surface.om"}));
+                                   "visibility.mtx", "cover.csv", "cover.proof", "viewpoints.csv",
+                                   "scene.vtp", "surface.ply", "surface.om"}));
   EXPECT_THAT(read_file(bundle / "regions.csv"),
               ::testing::StartsWith("region,part,level,path,cx,cy,cz,area,chosen,x0,y0,z0,"));
   EXPECT_THAT(read_file(bundle / "elements.csv"),
@@ -168,7 +168,7 @@ TEST(Solve, SameBytesForAnyThreadsAndEveryRun) {
   ASSERT_EQ(room.solve("two", {"--threads", "2"}).exit_code, 0);
   ASSERT_EQ(room.solve("again", {"--threads", "2"}).exit_code, 0);
   const auto one = comparable_files(room.bundle("one"));
-  EXPECT_EQ(one.size(), 10u);
+  EXPECT_EQ(one.size(), 11u);
   EXPECT_EQ(one, comparable_files(room.bundle("two")));
   EXPECT_EQ(one, comparable_files(room.bundle("again")));
 }
