@@ -38,6 +38,12 @@ struct CoverNodeState {
     ++chosen;
     for (const std::uint32_t column : incidence.rows[row]) ++times_covered[column];
   }
+  /// Requires a chosen row; it is free again.
+  void undo_choice(const Incidence& incidence, std::uint32_t row) {
+    rows[row] = Row::kFree;
+    --chosen;
+    for (const std::uint32_t column : incidence.rows[row]) --times_covered[column];
+  }
 
   std::vector<Row> rows;
   std::vector<std::uint32_t> times_covered;  ///< by chosen rows

@@ -1,9 +1,7 @@
 #include "optim/cover_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 namespace viewcover {
@@ -12,24 +10,12 @@ namespace {
 using Row = CoverNodeState::Row;
 using Status = LinearProgram::Status;
 
-/// Denominators tried for rounded prices, least first: small ones give short proofs, and many basic
-/// solutions are fractions over small numbers.
-constexpr std::array<std::int64_t, 4> kDenominators = {60, 2520, 1 << 20, std::int64_t{1} << 36};
 /// How far above a whole number a programme's value must be before its prices are tried for the
 /// next one: what rounding to 2^-20 may cost prices of a few hundred columns.
 constexpr double kAboveWhole = 1e-3;
 /// Values of x nearer to 0 than this count as 0 when rows are picked; a hint, nothing depends on
 /// it.
 constexpr double kZero = 1e-6;
-
-LinearProgram make_programme(const Incidence& incidence) {
-  std::vector<LinearProgram::Variable> variables;
-  for (const std::vector<std::uint32_t>& columns : incidence.rows) {
-    variables.push_back({.cost = 1, .rows = columns, .coefficients = {}});
-    variables.back().coefficients.assign(columns.size(), 1.0);
-  }
-  return LinearProgram(variables, std::vector<double>(incidence.columns.size(), 1.0));
-}
 
 /// Columns no two of which share a row, columns of few rows first, at price 1 each.
 CoverDual independent_columns(const Incidence& incidence) {
@@ -86,11 +72,7 @@ std::vector<std::uint32_t> greedy_cover(const Incidence& incidence,
 
 CoverTree::CoverTree(const Incidence& incidence, std::vector<std::uint32_t> cover,
                      SearchLimits& limits)
-    : incidence_(incidence),
-      limits_(limits),
-      programme_(make_programme(incidence)),
-      programme_rows_(incidence.rows.size(), Row::kFree),
-      best_(std::move(cover)) {
+    : incidence_(incidence), limits_(limits), programme_(incidence), best_(std::move(cover)) {
   Node root;
   root.dual = independent_columns(incidence);
   root.proved = root.bound = value_of(root.dual, incidence, CoverNodeState(incidence)).bound();
@@ -102,8 +84,8 @@ std::size_t CoverTree::bound() const {
   return open_.empty() ? best_.size() : std::min(best_.size(), open_.top().bound);
 }
 
-void CoverTree::search() {
-  while (!open_.empty() && open_.top().bound < best_.size()) {
+void CoverTree::search(std::size_t most_nodes) {
+  while (!open_.empty() && open_.top().bound < best_.size() && nodes_.size() < most_nodes) {
     if (limits_.expired()) return;
     const NodeId id = open_.top().node;
     open_.pop();
@@ -140,7 +122,9 @@ bool CoverTree::process(NodeId id) {
     return true;
   }
   Node& node = nodes_[id];
-  const CoverDualValue value = take_prices(node, state);
+  const CoverDualValue value = programme_.improve(node.dual, state);
+  node.proved = value.bound();
+  node.bound = std::max(node.bound, node.proved);
   node.basis = std::make_shared<const LinearProgram::Basis>(programme_.basis());
   if (node.bound >= best_.size()) return true;
   if (status == Status::kAboveLimit) {
@@ -181,42 +165,10 @@ bool CoverTree::close_without_programme(Node& node, const CoverNodeState& state)
 }
 
 Status CoverTree::solve_programme(const Node& node, const CoverNodeState& state) {
-  for (std::size_t row = 0; row < state.rows.size(); ++row) {
-    if (programme_rows_[row] == state.rows[row]) continue;
-    programme_rows_[row] = state.rows[row];
-    programme_.set_bounds(row, state.rows[row] == Row::kChosen ? 1 : 0,
-                          state.rows[row] == Row::kExcluded ? 0
-                          : state.rows[row] == Row::kChosen ? 1
-                                                            : LinearProgram::kInfinity);
-  }
-  const bool is_root = node.parent == kNoNode;
   if (node.basis) programme_.set_basis(*node.basis);
   // The root's solution is wanted in any case, the others' only if they are to be branched on.
-  const double limit =
-      is_root ? LinearProgram::kInfinity : static_cast<double>(node.bound) + kAboveWhole;
-  Status status = programme_.solve_dual(limits_, limit);
-  if (status == Status::kNone && !limits_.expired()) status = programme_.solve_primal(limits_);
-  return status;
-}
-
-CoverDualValue CoverTree::take_prices(Node& node, const CoverNodeState& state) {
-  const std::int64_t largest = largest_denominator(incidence_);
-  const double hoped = std::ceil(programme_.objective() - kZero);
-  CoverDualValue best_value = value_of(node.dual, incidence_, state);
-  for (const std::int64_t denominator : kDenominators) {
-    if (denominator > largest) break;
-    CoverDual dual = rounded_dual(programme_.prices(), state, denominator);
-    CoverDualValue value = value_of(dual, incidence_, state);
-    const bool enough = static_cast<double>(value.bound()) >= hoped;
-    if (value.bound() >= best_value.bound()) {
-      node.dual = std::move(dual);
-      best_value = std::move(value);
-    }
-    if (enough) break;
-  }
-  node.proved = best_value.bound();
-  node.bound = std::max(node.bound, node.proved);
-  return best_value;
+  if (node.parent == kNoNode) return programme_.solve(state, limits_);
+  return programme_.solve(state, limits_, static_cast<double>(node.bound) + kAboveWhole);
 }
 
 void CoverTree::exclude_rows(Node& node, const CoverDualValue& value, const CoverNodeState& state) {

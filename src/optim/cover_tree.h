@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <queue>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "optim/cover_dual.h"
+#include "optim/cover_programme.h"
 #include "optim/cover_proof.h"
 #include "optim/incidence.h"
 #include "optim/linear_program.h"
@@ -33,8 +35,11 @@ class CoverTree {
   /// the tree.
   CoverTree(const Incidence& incidence, std::vector<std::uint32_t> cover, SearchLimits& limits);
 
-  /// Goes on until best() is proved smallest or the limits expire. Errors: Interrupted.
-  void search();
+  /// Goes on until best() is proved smallest, the tree has so many nodes or the limits expire.
+  /// Errors: Interrupted.
+  void search(std::size_t most_nodes = std::numeric_limits<std::size_t>::max());
+  /// A cover from elsewhere, in case it is smaller than best().
+  void offer(std::vector<std::uint32_t> cover);
 
   const std::vector<std::uint32_t>& best() const { return best_; }  ///< ascending
   std::size_t bound() const;  ///< proved; at most best().size()
@@ -75,18 +80,15 @@ class CoverTree {
   bool process(NodeId id);
   bool close_without_programme(Node& node, const CoverNodeState& state);
   LinearProgram::Status solve_programme(const Node& node, const CoverNodeState& state);
-  CoverDualValue take_prices(Node& node, const CoverNodeState& state);
   void exclude_rows(Node& node, const CoverDualValue& value, const CoverNodeState& state);
   void round_solution(const CoverNodeState& state);
-  void offer(std::vector<std::uint32_t> cover);
   std::uint32_t branch_row(const CoverNodeState& state) const;
   void branch(NodeId id, std::uint32_t row);
   void push(NodeId id) { open_.push({nodes_[id].bound, nodes_[id].depth, id}); }
 
   const Incidence& incidence_;
   SearchLimits& limits_;
-  LinearProgram programme_;
-  std::vector<CoverNodeState::Row> programme_rows_;  ///< as the programme has them
+  CoverProgramme programme_;
   std::vector<Node> nodes_;
   std::priority_queue<Open> open_;
   std::vector<std::uint32_t> best_;

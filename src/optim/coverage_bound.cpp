@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "optim/reductions.h"
@@ -19,21 +18,42 @@ CoverageProblem::CoverageProblem(const CoverInstance& instance) {
   const std::vector<std::uint32_t> rows = rows_without_dominated(instance.rows());
   row_numbers.assign(rows.begin(), rows.end());
   incidence.rows.resize(rows.size());
-  std::map<std::vector<std::uint32_t>, std::uint32_t> column_of;
   for (std::size_t column = 0; column < instance.rows().columns(); ++column) {
     std::vector<std::uint32_t> covering;
     for (std::uint32_t row = 0; row < rows.size(); ++row) {
       if (instance.rows().test(rows[row], column)) covering.push_back(row);
     }
-    const auto merged = static_cast<std::uint32_t>(weights.size());
-    const auto [same, is_new] = column_of.emplace(std::move(covering), merged);
-    if (is_new) {
-      for (const std::uint32_t row : same->first) incidence.rows[row].push_back(merged);
-      incidence.columns.push_back(same->first);
-      weights.push_back(0);
-    }
-    weights[same->second] += state.weights()[column];
+    add_column(covering, state.weights()[column]);
   }
+}
+
+CoverageProblem::CoverageProblem(const CoverageProblem& whole,
+                                 std::span<const std::uint32_t> rows) {
+  constexpr auto kGone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> number(whole.incidence.rows.size(), kGone);
+  for (std::uint32_t row = 0; row < rows.size(); ++row) {
+    number[rows[row]] = row;
+    row_numbers.push_back(whole.row_numbers[rows[row]]);
+  }
+  incidence.rows.resize(rows.size());
+  for (std::size_t column = 0; column < whole.weights.size(); ++column) {
+    std::vector<std::uint32_t> covering;
+    for (const std::uint32_t row : whole.incidence.columns[column]) {
+      if (number[row] != kGone) covering.push_back(number[row]);
+    }
+    if (!covering.empty()) add_column(covering, whole.weights[column]);
+  }
+}
+
+void CoverageProblem::add_column(const std::vector<std::uint32_t>& rows, Benefit weight) {
+  const auto next = static_cast<std::uint32_t>(weights.size());
+  const auto [same, is_new] = column_of_rows_.emplace(rows, next);
+  if (is_new) {
+    for (const std::uint32_t row : rows) incidence.rows[row].push_back(next);
+    incidence.columns.push_back(rows);
+    weights.push_back(0);
+  }
+  weights[same->second] += weight;
 }
 
 Benefit CoverageProblem::total() const {

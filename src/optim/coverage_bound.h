@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -21,9 +22,17 @@ struct CoverageProblem {
 
   /// The instance without dominated rows, columns that have become equal merged.
   explicit CoverageProblem(const CoverInstance& instance);
+  /// The problem with these rows (ascending) only; columns that have become equal merged, columns
+  /// that no row is left for gone.
+  CoverageProblem(const CoverageProblem& whole, std::span<const std::uint32_t> rows);
 
   Benefit total() const;
   Benefit covered(std::span<const std::uint32_t> rows) const;
+
+ private:
+  void add_column(const std::vector<std::uint32_t>& rows, Benefit weight);
+
+  std::map<std::vector<std::uint32_t>, std::uint32_t> column_of_rows_;
 };
 
 /// What prices u_c of columns, 0 <= u_c <= w_c, prove about a part of the tree (decisions about

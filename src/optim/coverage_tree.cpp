@@ -42,19 +42,22 @@ LinearProgram make_programme(const CoverageProblem& problem, std::size_t k, doub
 }  // namespace
 
 CoverageTree::CoverageTree(const CoverageProblem& problem, std::size_t k,
-                           std::vector<std::uint32_t> start, SearchLimits& limits)
+                           std::vector<std::uint32_t> start, Benefit to_beat, SearchLimits& limits,
+                           std::shared_ptr<const LinearProgram::Basis> basis)
     : problem_(problem),
       k_(k),
       limits_(limits),
       unit_(unit_of(problem)),
       programme_(make_programme(problem, k, unit_)),
-      programme_rows_(problem.incidence.rows.size(), Row::kFree) {
+      programme_rows_(problem.incidence.rows.size(), Row::kFree),
+      best_benefit_(to_beat) {
   assert(start.size() <= k && k <= problem.incidence.rows.size());
   offer(std::move(start));
   // Prices equal to weights: the k heaviest rows.
   Node root;
   std::vector<double> weights(problem.weights.begin(), problem.weights.end());
   root.bound = coverage_value(problem, weights, 1, CoverNodeState(problem.incidence), k).value;
+  root.basis = std::move(basis);
   nodes_.push_back(std::move(root));
   push(0);
 }
@@ -63,16 +66,30 @@ Benefit CoverageTree::bound() const {
   return open_.empty() ? best_benefit_ : std::max(best_benefit_, open_.top().bound);
 }
 
-void CoverageTree::search() {
-  while (!open_.empty() && open_.top().bound > best_benefit_) {
-    if (limits_.expired()) return;
-    const NodeId id = open_.top().node;
-    open_.pop();
-    if (!process(id)) {
-      push(id);
-      return;
-    }
+void CoverageTree::search_root() {
+  if (nodes_.size() == 1) search_next();
+}
+
+std::vector<std::uint32_t> CoverageTree::rows_left() const {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; row < problem_.incidence.rows.size(); ++row) {
+    if (!std::ranges::binary_search(nodes_[0].excluded, row)) rows.push_back(row);
   }
+  return rows;
+}
+
+void CoverageTree::search() {
+  while (search_next()) {
+  }
+}
+
+bool CoverageTree::search_next() {
+  if (open_.empty() || open_.top().bound <= best_benefit_ || limits_.expired()) return false;
+  const NodeId id = open_.top().node;
+  open_.pop();
+  if (process(id)) return true;
+  push(id);
+  return false;
 }
 
 CoverNodeState CoverageTree::state_of(NodeId id) const {
@@ -101,6 +118,7 @@ bool CoverageTree::process(NodeId id) {
     const CoverageValue value = coverage_value(problem_, programme_.solution(), unit_, state, k_);
     node.bound = std::min(node.bound, value.value);
     node.basis = std::make_shared<const LinearProgram::Basis>(programme_.basis());
+    if (node.parent == kNoNode) root_basis_ = node.basis;
     const std::span<const double> x = programme_.prices();
     std::vector<std::uint32_t> rows;
     for (std::uint32_t row = 0; row < state.rows.size(); ++row) {
@@ -129,7 +147,10 @@ bool CoverageTree::solve_programme(const Node& node, const CoverNodeState& state
     programme_.set_right_hand_side(row, state.rows[row] == Row::kExcluded ? -infinity : 0);
   }
   if (node.basis) programme_.set_basis(*node.basis);
-  return programme_.solve_primal(limits_) == LinearProgram::Status::kOptimal;
+  const bool from_scratch = node.basis == nullptr;
+  const auto status =
+      from_scratch ? programme_.solve_dual(limits_) : programme_.solve_primal(limits_);
+  return status == LinearProgram::Status::kOptimal;
 }
 
 void CoverageTree::decide_rows(Node& node, const CoverageValue& value,
@@ -187,6 +208,8 @@ void CoverageTree::branch(NodeId id, const CoverNodeState& state) {
 }
 
 void CoverageTree::offer(std::vector<std::uint32_t> rows) {
+  std::ranges::sort(rows);
+  if (!offered_.insert(rows).second) return;
   const Incidence& incidence = problem_.incidence;
   std::vector<std::uint32_t> times(problem_.weights.size(), 0);
   std::vector<bool> is_chosen(incidence.rows.size(), false);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <queue>
+#include <set>
 #include <vector>
 
 #include "optim/coverage_bound.h"
@@ -21,15 +22,27 @@ class CoverageTree {
  public:
   using Benefit = CoverState::Benefit;
 
-  /// `start`: some set of k rows or fewer, as numbered in the problem. Requires k of at most the
-  /// number of rows. The problem and the limits must outlive the tree.
+  /// `start`: some set of k rows or fewer, as numbered in the problem; `to_beat`: the benefit of a
+  /// set known from elsewhere, or -1. Requires k of at most the number of rows. The problem and the
+  /// limits must outlive the tree. `basis`: of the root, from a tree of the same problem.
   CoverageTree(const CoverageProblem& problem, std::size_t k, std::vector<std::uint32_t> start,
-               SearchLimits& limits);
+               Benefit to_beat, SearchLimits& limits,
+               std::shared_ptr<const LinearProgram::Basis> basis = nullptr);
 
+  /// Bounds the root only, and finds the rows that no set better than best() can have.
+  /// Errors: Interrupted.
+  void search_root();
+  /// The basis of the root; null if its programme has not been solved.
+  std::shared_ptr<const LinearProgram::Basis> root_basis() const { return root_basis_; }
+  /// Rows that search_root() has left.
+  std::vector<std::uint32_t> rows_left() const;
   /// Goes on until best() is proved or the limits expire. Errors: Interrupted.
   void search();
 
-  const std::vector<std::uint32_t>& best() const { return best_; }  ///< ascending, k rows
+  const std::vector<std::uint32_t>& best() const {
+    return best_;
+  }  ///< ascending, k rows; none
+     ///< if `to_beat` is not beaten
   Benefit best_benefit() const { return best_benefit_; }
   Benefit bound() const;  ///< no k rows cover more; at least best_benefit()
   std::size_t node_count() const { return nodes_.size(); }
@@ -58,11 +71,14 @@ class CoverageTree {
   };
 
   CoverNodeState state_of(NodeId id) const;
+  /// False if there is nothing left to do, or no time.
+  bool search_next();
   /// False if the limits expired before the node was done with.
   bool process(NodeId id);
   bool solve_programme(const Node& node, const CoverNodeState& state);
   void decide_rows(Node& node, const CoverageValue& value, const CoverNodeState& state);
-  /// Completes a set to k rows, exchanges while that helps, and keeps it if it is the best.
+  /// Completes a set to k rows, exchanges while that helps, and keeps it if it is the best. Does
+  /// nothing for a set that was offered before.
   void offer(std::vector<std::uint32_t> rows);
   void branch(NodeId id, const CoverNodeState& state);
   void push(NodeId id) { open_.push({nodes_[id].bound, nodes_[id].depth, id}); }
@@ -75,8 +91,10 @@ class CoverageTree {
   std::vector<CoverNodeState::Row> programme_rows_;  ///< as the programme has them
   std::vector<Node> nodes_;
   std::priority_queue<Open> open_;
+  std::shared_ptr<const LinearProgram::Basis> root_basis_;
+  std::set<std::vector<std::uint32_t>> offered_;
   std::vector<std::uint32_t> best_;
-  Benefit best_benefit_ = -1;
+  Benefit best_benefit_;
 };
 
 }  // namespace viewcover

@@ -4,19 +4,27 @@
 
 #include "optim/cover_proof.h"
 #include "optim/cover_tree.h"
-#include "optim/coverage_bound.h"
-#include "optim/coverage_tree.h"
+#include "optim/coverage_curve.h"
+#include "optim/incidence_lists.h"
+#include "optim/optimal_covers.h"
 #include "optim/reductions.h"
+#include "optim/search_effort.h"
 #include "optim/search_limits.h"
 #include "optim/stopwatch.h"
+#include "optim/whole_cover_search.h"
+#include "scene/random_numbers.h"
 
 namespace viewcover {
 namespace {
+
+/// Nodes that most rooms need fewer than: a better cover to start from would cost more time.
+constexpr std::size_t kNodesBeforeHeuristic = 50;
 
 /// A whole cover and the proof of how far from smallest it may be.
 struct ProvedCover {
   std::vector<std::size_t> rows;  ///< ascending
   CoverProof proof;
+  std::uint64_t nodes = 0;  ///< of the trees
 };
 
 /// The component's rows and columns, in place of numbers along them.
@@ -28,7 +36,23 @@ CoverProof::Component in_matrix_numbers(const CoverComponent& component, std::si
   return {component.rows, bound, std::move(nodes)};
 }
 
-ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits) {
+/// A cover to start from. Without a time limit the search is short beside a hard tree, and long
+/// enough for most instances.
+std::vector<std::uint32_t> heuristic_cover(const CoverComponent& component, SearchLimits& limits,
+                                           std::uint64_t seed) {
+  constexpr std::uint64_t kPatience = 10'000'000;
+  constexpr double kShareOfTime = 0.1;
+  const IncidenceLists lists(component.incidence.bits());
+  RandomNumbers random(seed);
+  WholeCoverSearch search(lists, random);
+  SearchEffort effort(limits, kShareOfTime, kPatience, search.work());
+  search.run(effort, 1, [] {});
+  std::vector<std::uint32_t> best(search.best().begin(), search.best().end());
+  std::ranges::sort(best);
+  return best;
+}
+
+ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits, std::uint64_t seed) {
   ProvedCover result;
   Reduction reduction = reduce_cover(instance.rows());
   result.rows.assign(reduction.taken.begin(), reduction.taken.end());
@@ -38,7 +62,12 @@ ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits) {
   });
   for (const CoverComponent& component : reduction.components) {
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
-    tree.search();
+    tree.search(kNodesBeforeHeuristic);
+    if (tree.bound() < tree.best().size()) {
+      tree.offer(heuristic_cover(component, limits, seed));
+      tree.search();
+    }
+    result.nodes += tree.node_count();
     for (const std::uint32_t row : tree.best()) result.rows.push_back(component.rows[row]);
     result.proof.lower_bound += tree.bound();
     const std::size_t first_dual = result.proof.duals.size();
@@ -56,45 +85,15 @@ ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits) {
 }
 
 /// The step of a set of rows that covers everything coverable.
-CoverStep whole_step(const CoverInstance& instance, std::vector<std::size_t> rows) {
+CoverStep whole_step(const CoverInstance& instance, ProvedCover cover) {
   CoverStep step;
-  step.k = rows.size();
-  step.chosen = std::move(rows);
+  step.k = cover.rows.size();
+  step.chosen = std::move(cover.rows);
+  step.evaluations = cover.nodes;
   step.covered_percent = instance.covered_percent(step.chosen);
   step.proved = true;
   return step;
 }
-
-/// Maximum coverage for one k after the other, each starting from the best set of the last.
-class Coverage {
- public:
-  Coverage(const CoverInstance& instance, SearchLimits& limits)
-      : instance_(instance), problem_(instance), limits_(limits) {}
-
-  std::size_t row_count() const { return problem_.incidence.rows.size(); }
-
-  CoverStep step(std::size_t k) {
-    const Stopwatch watch;
-    CoverageTree tree(problem_, k, std::move(last_), limits_);
-    tree.search();
-    last_ = tree.best();
-    CoverStep step;
-    step.k = k;
-    for (const std::uint32_t row : last_) step.chosen.push_back(problem_.row_numbers[row]);
-    step.covered_percent = instance_.covered_percent(step.chosen);
-    step.upper_bound_percent = percent_at_most(instance_, tree.bound());
-    step.proved = tree.bound() == tree.best_benefit();
-    step.evaluations = tree.node_count();
-    step.seconds = watch.seconds();
-    return step;
-  }
-
- private:
-  const CoverInstance& instance_;
-  CoverageProblem problem_;
-  SearchLimits& limits_;
-  std::vector<std::uint32_t> last_;
-};
 
 }  // namespace
 
@@ -102,30 +101,36 @@ RegionCover ExactCover::solve(const CoverInstance& instance, const CoverOptions&
   RegionCover cover;
   const Stopwatch watch;
   SearchLimits limits(options);
+  limits.expired();
   CoverOptions cover_options = options;
   if (options.goal != CoverGoal::kWholeCover) cover_options.time_limit_seconds /= 2;
   SearchLimits cover_limits(cover_options);
-  ProvedCover proved = prove_cover(instance, cover_limits);
+  ProvedCover proved = prove_cover(instance, cover_limits, options.seed);
   cover.lower_bound = proved.proof.lower_bound;
   cover.proof = std::make_shared<const CoverProof>(std::move(proved.proof));
   if (proved.rows.empty()) return cover;
+  if (options.on_better) options.on_better({proved.rows, watch.seconds()});
 
-  CoverStep whole = whole_step(instance, std::move(proved.rows));
+  CoverStep whole = whole_step(instance, std::move(proved));
   whole.seconds = watch.seconds();
+  const std::size_t whole_size = whole.k;
   const auto add_step = [&](CoverStep step) {
     cover.steps.push_back(std::move(step));
     if (options.on_step) options.on_step(cover.steps.back());
   };
-  if (options.goal == CoverGoal::kEveryK ||
-      (options.goal == CoverGoal::kOneK && options.k < whole.k)) {
-    Coverage coverage(instance, limits);
-    const bool every_k = options.goal == CoverGoal::kEveryK;
-    for (std::size_t k = every_k ? 1 : options.k; k < (every_k ? whole.k : options.k + 1); ++k) {
-      add_step(coverage.step(k));
-    }
+  const bool every_k = options.goal == CoverGoal::kEveryK, one_k = options.goal == CoverGoal::kOneK;
+  cover.whole = !one_k || options.k >= whole_size;
+  if (every_k || !cover.whole) {
+    CoverageCurve coverage(instance, limits);
+    const std::size_t first = every_k ? 1 : options.k, end = every_k ? whole_size : options.k + 1;
+    for (std::size_t k = std::max(first, std::size_t{1}); k < end; ++k) add_step(coverage.step(k));
   }
-  cover.whole = options.goal != CoverGoal::kOneK || options.k >= whole.k;
   if (cover.whole) add_step(std::move(whole));
+  if (options.solutions > 0 && cover.lower_bound == whole_size) {
+    OptimalCovers found = covers_of_size(instance.rows(), whole_size, options.solutions, limits);
+    cover.solutions = std::move(found.covers);
+    cover.solutions_complete = found.complete;
+  }
   cover.time_limit_reached = limits.has_expired() || cover_limits.has_expired();
   return cover;
 }

@@ -48,6 +48,7 @@ LinearProgram::LinearProgram(std::span<const Variable> variables,
     cost.push_back(variable.cost);
   }
   simplex_->setLogLevel(0);
+  simplex_->scaling(0);  // coefficients are 1 and -1; scaling would be done anew for every solution
   // Exact weights from the first iteration on: after a change of bounds the dual simplex takes a
   // third to two thirds of the iterations that it takes with weights of 1.
   constexpr int kExactWeights = 1;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "optim/coverage_bound.h"
+#include "optim/linear_program.h"
+#include "optim/region_cover.h"
+#include "optim/search_limits.h"
+
+namespace viewcover {
+
+/// Maximum coverage for one k after the other, each search starting from the best set of the last.
+///
+/// After the root of the tree (optim/coverage_tree.h) the rows that its bound rules out leave the
+/// problem, columns that have become equal are merged, and the search starts anew on what is left,
+/// as long as that is much smaller.
+/// Not safe for concurrent use.
+class CoverageCurve {
+ public:
+  /// The instance and the limits must outlive the curve.
+  CoverageCurve(const CoverInstance& instance, SearchLimits& limits);
+
+  /// The best set of k rows that is found before the limits expire, and what is proved.
+  /// Requires k below the number of rows of a smallest cover. Errors: Interrupted.
+  CoverStep step(std::size_t k);
+
+ private:
+  /// Those of the best rows that the problem has, in its numbers.
+  std::vector<std::uint32_t> best_rows_in(const CoverageProblem& problem) const;
+
+  const CoverInstance& instance_;
+  SearchLimits& limits_;
+  CoverageProblem problem_;
+  std::vector<std::size_t> best_;                           ///< for the last k, ascending
+  std::shared_ptr<const LinearProgram::Basis> root_basis_;  ///< of the last k
+};
+
+}  // namespace viewcover
