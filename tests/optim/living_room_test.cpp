@@ -49,10 +49,11 @@ void expect_optimum(const std::string& detail, const std::string& regions,
 
 TEST(LivingRoom, OptimumOf64RegionsIsConfirmed) {
   expect_optimum("simple", "64", {"1", "2", "3"});
-  expect_optimum("complex", "64", {"1", "2", "3"});
+  if (!VIEWCOVER_SANITIZED) expect_optimum("complex", "64", {"1", "2", "3"});
 }
 
 TEST(LivingRoom, OptimumOf256RegionsIsConfirmed) {
+  if (VIEWCOVER_SANITIZED) GTEST_SKIP() << "minutes under sanitizers";
   expect_optimum("simple", "256", {"1", "2"});
   expect_optimum("complex", "256", {"1", "2"});
 }
