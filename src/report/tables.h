@@ -32,8 +32,8 @@ void write_visibility(const VisibilityMatrix& matrix, const std::filesystem::pat
 /// separated by spaces.
 void write_cover(const RegionCover& cover, const std::filesystem::path& file);
 
-/// What `verify` and scripts/check-cover-proof check against `visibility.mtx`. Where the method gave
-/// no proof there is no file, nor one of an earlier run.
+/// What `verify` and scripts/check-cover-proof check against `visibility.mtx`. Where the method
+/// gave no proof there is no file, nor one of an earlier run.
 void write_proof(const Solution& solution, const std::filesystem::path& file);
 
 /// `viewpoint,x,y,z,region,covered_area_percent,seconds`.
