@@ -1,6 +1,6 @@
-#include "exact/query_cases.h"
-
 #include <iterator>
+
+#include "exact/query_cases.h"
 
 namespace viewcover::testing {
 namespace {
