@@ -91,9 +91,13 @@ struct Outcome {
 };
 
 /// Runs viewcover to its end.
-inline Outcome viewcover_run(std::vector<std::string> arguments, Process::Limits limits = {}) {
-  arguments.insert(arguments.begin(), VIEWCOVER_BINARY);
-  Process process(std::move(arguments), limits);
+inline Outcome viewcover_run(const std::vector<std::string>& arguments,
+                             Process::Limits limits = {}) {
+  std::vector<std::string> command;
+  command.reserve(arguments.size() + 1);
+  command.emplace_back(VIEWCOVER_BINARY);
+  for (const std::string& argument : arguments) command.push_back(argument);
+  Process process(std::move(command), limits);
   const int exit_code = process.wait();
   return {exit_code, process.out(), process.error()};
 }
