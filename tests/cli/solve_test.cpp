@@ -257,7 +257,7 @@ TEST(Solve, RepairsAreOneLine) {
 TEST(Solve, InterruptLeavesAnIncompleteBundle) {
   const RoomFolder room;
   // A run of many minutes, so that it cannot end by itself before the signal.
-  Process process({VIEWCOVER_BINARY, "solve", room.scene(), "--region", room.region(), "-o",
+  Process process({viewcover_program(), "solve", room.scene(), "--region", room.region(), "-o",
                    room.bundle(), "--regions", "4096", "--element-area", "0.001", "--rays",
                    "1000"});
   while (process.running() && !std::filesystem::exists(room.bundle() + "/run.json")) {
@@ -277,7 +277,7 @@ TEST(Solve, AKilledRunLeavesAnIncompleteBundle) {
   const RoomFolder room;
   ASSERT_EQ(room.solve("bundle").exit_code, 0);
   ASSERT_TRUE(is_complete(room.bundle()));
-  Process process({VIEWCOVER_BINARY, "solve", room.scene(), "--region", room.region(), "-o",
+  Process process({viewcover_program(), "solve", room.scene(), "--region", room.region(), "-o",
                    room.bundle(), "--regions", "4096", "--element-area", "0.001", "--rays",
                    "1000"});
   while (process.running() && is_complete(room.bundle())) ::usleep(1000);

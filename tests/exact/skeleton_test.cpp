@@ -12,6 +12,7 @@
 #include "exact/root_numbers.h"
 #include "exact/skeleton_brute_force.h"
 #include "scene/random_numbers.h"
+#include "support/sanitized.h"
 
 namespace viewcover {
 namespace {
@@ -483,23 +484,23 @@ void expect_brute_force(std::uint64_t seed, std::size_t occluders, int range, Ki
 
 TEST(Skeleton, AgreesWithBruteForce) {
   Kinds kinds;
-  for (std::uint64_t seed = 1; seed <= (VIEWCOVER_SANITIZED ? 6 : 30); ++seed)
+  for (std::uint64_t seed = 1; seed <= (sanitized() ? 6 : 30); ++seed)
     expect_brute_force(seed, 1 + seed % 3, 9, kinds);
   for (const char* kind : {"VV", "VEE", "EEEE", "VE"})
-    EXPECT_GT(kinds[kind], VIEWCOVER_SANITIZED ? 0 : 5) << kind;
+    EXPECT_GT(kinds[kind], sanitized() ? 0 : 5) << kind;
 }
 
 /// Many coincidences: triangles that pierce and touch each other, lines that touch more than they
 /// need to.
 TEST(Skeleton, AgreesWithBruteForceOnSmallGrids) {
   Kinds kinds;
-  for (std::uint64_t seed = 1; seed <= (VIEWCOVER_SANITIZED ? 6 : 16); ++seed)
+  for (std::uint64_t seed = 1; seed <= (sanitized() ? 6 : 16); ++seed)
     expect_brute_force(seed, 1 + seed % 2, 3, kinds);
   int degenerate = 0;
   for (const auto& [kind, count] : kinds) {
     if (kind != "VV" && kind != "VEE" && kind != "EEEE") degenerate += count;
   }
-  EXPECT_GT(degenerate, VIEWCOVER_SANITIZED ? 3 : 10);
+  EXPECT_GT(degenerate, sanitized() ? 3 : 10);
 }
 
 TEST(Skeleton, GenericNodesHaveFourArcs) {
@@ -624,7 +625,7 @@ TEST(Skeleton, IsEmptyIffHiddenAndTheSameInAllPoses) {
     EXPECT_EQ(boost::num_vertices(graph) > 0, c.visible);
     expect_sound(c.query, graph);
     count += boost::num_vertices(graph);
-    for (std::size_t i = 1; i < poses().size() && !VIEWCOVER_SANITIZED; i += 2) {
+    for (std::size_t i = 1; i < poses().size() && !sanitized(); i += 2) {
       const Pose pose = poses()[i];
       SCOPED_TRACE("pose: " + pose.name);
       SightQuery query = posed(c.query, pose);

@@ -49,11 +49,11 @@ void expect_optimum(const std::string& detail, const std::string& regions, int s
 
 TEST(LivingRoom, OptimumOf64RegionsIsConfirmed) {
   expect_optimum("simple", "64", 3);
-  if (!VIEWCOVER_SANITIZED) expect_optimum("complex", "64", 3);
+  if (!testing::sanitized()) expect_optimum("complex", "64", 3);
 }
 
 TEST(LivingRoom, OptimumOf256RegionsIsConfirmed) {
-  if (VIEWCOVER_SANITIZED) GTEST_SKIP() << "minutes under sanitizers";
+  if (testing::sanitized()) GTEST_SKIP() << "minutes under sanitizers";
   expect_optimum("simple", "256", 2);
   expect_optimum("complex", "256", 2);
 }
