@@ -121,7 +121,7 @@ BENCHMARK(state_gain_without)->Unit(benchmark::kMicrosecond);
 
 void scored_exchange(benchmark::State& state) {
   const RoomCover cover;
-  const IncidenceLists lists(cover.instance.rows());
+  const Incidence lists(cover.instance.rows());
   ScoredCover scored(lists, std::vector<ScoredCover::Score>(lists.column_count(), 1));
   for (const std::size_t row : cover.chosen) scored.add(static_cast<ScoredCover::Index>(row));
   RandomNumbers random(1);

@@ -32,17 +32,17 @@ struct CoverNodeState {
   enum class Row : std::uint8_t { kFree, kChosen, kExcluded };
 
   explicit CoverNodeState(const Incidence& incidence)
-      : rows(incidence.rows.size(), Row::kFree), times_covered(incidence.columns.size(), 0) {}
+      : rows(incidence.row_count(), Row::kFree), times_covered(incidence.column_count(), 0) {}
   void choose(const Incidence& incidence, std::uint32_t row) {
     rows[row] = Row::kChosen;
     ++chosen;
-    for (const std::uint32_t column : incidence.rows[row]) ++times_covered[column];
+    for (const std::uint32_t column : incidence.columns_of(row)) ++times_covered[column];
   }
   /// Requires a chosen row; it is free again.
   void undo_choice(const Incidence& incidence, std::uint32_t row) {
     rows[row] = Row::kFree;
     --chosen;
-    for (const std::uint32_t column : incidence.rows[row]) --times_covered[column];
+    for (const std::uint32_t column : incidence.columns_of(row)) --times_covered[column];
   }
 
   std::vector<Row> rows;

@@ -17,11 +17,13 @@ constexpr double kTolerance = 1e-6;
 
 LinearProgram make_programme(const Incidence& incidence) {
   std::vector<LinearProgram::Variable> variables;
-  for (const std::vector<std::uint32_t>& columns : incidence.rows) {
-    variables.push_back({.cost = 1, .rows = columns, .coefficients = {}});
-    variables.back().coefficients.assign(columns.size(), 1.0);
+  for (std::size_t row = 0; row < incidence.row_count(); ++row) {
+    const std::span<const std::uint32_t> columns = incidence.columns_of(row);
+    variables.push_back({.cost = 1,
+                         .rows = {columns.begin(), columns.end()},
+                         .coefficients = std::vector<double>(columns.size(), 1.0)});
   }
-  return LinearProgram(variables, std::vector<double>(incidence.columns.size(), 1.0));
+  return LinearProgram(variables, std::vector<double>(incidence.column_count(), 1.0));
 }
 
 }  // namespace
@@ -29,7 +31,7 @@ LinearProgram make_programme(const Incidence& incidence) {
 CoverProgramme::CoverProgramme(const Incidence& incidence)
     : incidence_(incidence),
       programme_(make_programme(incidence)),
-      rows_(incidence.rows.size(), Row::kFree) {}
+      rows_(incidence.row_count(), Row::kFree) {}
 
 CoverProgramme::Status CoverProgramme::solve(const CoverNodeState& state, SearchLimits& limits,
                                              double limit) {

@@ -19,14 +19,14 @@ constexpr double kZero = 1e-6;
 
 /// Columns no two of which share a row, columns of few rows first, at price 1 each.
 CoverDual independent_columns(const Incidence& incidence) {
-  std::vector<std::uint32_t> order(incidence.columns.size());
+  std::vector<std::uint32_t> order(incidence.column_count());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, {},
-                           [&](std::uint32_t column) { return incidence.columns[column].size(); });
-  std::vector<bool> taken(incidence.rows.size(), false);
+                           [&](std::uint32_t column) { return incidence.rows_of(column).size(); });
+  std::vector<bool> taken(incidence.row_count(), false);
   CoverDual dual;
   for (const std::uint32_t column : order) {
-    const std::vector<std::uint32_t>& rows = incidence.columns[column];
+    const std::span<const std::uint32_t> rows = incidence.rows_of(column);
     if (std::ranges::any_of(rows, [&](std::uint32_t row) { return taken[row]; })) continue;
     for (const std::uint32_t row : rows) taken[row] = true;
     dual.prices.emplace_back(column, 1);
@@ -39,18 +39,18 @@ CoverDual independent_columns(const Incidence& incidence) {
 
 std::vector<std::uint32_t> greedy_cover(const Incidence& incidence,
                                         std::span<const std::uint32_t> first) {
-  std::vector<std::uint32_t> times(incidence.columns.size(), 0), gain(incidence.rows.size());
+  std::vector<std::uint32_t> times(incidence.column_count(), 0), gain(incidence.row_count());
   for (std::size_t row = 0; row < gain.size(); ++row) {
-    gain[row] = static_cast<std::uint32_t>(incidence.rows[row].size());
+    gain[row] = static_cast<std::uint32_t>(incidence.columns_of(row).size());
   }
   std::vector<std::uint32_t> cover;
   std::size_t uncovered = times.size();
   const auto add = [&](std::uint32_t row) {
     cover.push_back(row);
-    for (const std::uint32_t column : incidence.rows[row]) {
+    for (const std::uint32_t column : incidence.columns_of(row)) {
       if (times[column]++ > 0) continue;
       --uncovered;
-      for (const std::uint32_t other : incidence.columns[column]) --gain[other];
+      for (const std::uint32_t other : incidence.rows_of(column)) --gain[other];
     }
   };
   for (const std::uint32_t row : first) {
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> greedy_cover(const Incidence& incidence,
   }
   // The last ones cover least, so they are the first to go.
   for (std::size_t i = cover.size(); i-- > 0;) {
-    const std::vector<std::uint32_t>& columns = incidence.rows[cover[i]];
+    const std::span<const std::uint32_t> columns = incidence.columns_of(cover[i]);
     if (std::ranges::any_of(columns, [&](std::uint32_t c) { return times[c] == 1; })) continue;
     for (const std::uint32_t column : columns) --times[column];
     cover.erase(cover.begin() + static_cast<std::ptrdiff_t>(i));
@@ -140,15 +140,15 @@ bool CoverTree::process(NodeId id) {
 
 bool CoverTree::close_without_programme(Node& node, const CoverNodeState& state) {
   bool all_covered = true;
-  for (std::uint32_t column = 0; column < incidence_.columns.size(); ++column) {
+  for (std::uint32_t column = 0; column < incidence_.column_count(); ++column) {
     if (state.times_covered[column] > 0) continue;
     all_covered = false;
-    if (std::ranges::any_of(incidence_.columns[column],
+    if (std::ranges::any_of(incidence_.rows_of(column),
                             [&](std::uint32_t row) { return state.rows[row] == Row::kFree; })) {
       continue;
     }
     // No row is left for this column: it may have any price.
-    const auto more_than_all = static_cast<std::int64_t>(incidence_.rows.size()) + 1;
+    const auto more_than_all = static_cast<std::int64_t>(incidence_.row_count()) + 1;
     node.dual = {1, {{column, more_than_all}}};
     node.proved = node.bound = value_of(node.dual, incidence_, state).bound();
     return true;

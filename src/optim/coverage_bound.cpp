@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "optim/reductions.h"
@@ -13,47 +14,64 @@ namespace viewcover {
 using Benefit = CoverState::Benefit;
 using Row = CoverNodeState::Row;
 
+namespace {
+
+/// Columns by the rows that cover them; weights of equal ones are summed.
+class MergedColumns {
+ public:
+  void add(std::vector<std::uint32_t> rows, Benefit weight) {
+    const auto [same, is_new] = place_.emplace(rows, rows_.size());
+    if (is_new) {
+      rows_.push_back(std::move(rows));
+      weights_.push_back(0);
+    }
+    weights_[same->second] += weight;
+  }
+  void move_to(CoverageProblem& problem) && {
+    problem.incidence = Incidence(problem.row_numbers.size(), rows_);
+    problem.weights = std::move(weights_);
+  }
+
+ private:
+  std::map<std::vector<std::uint32_t>, std::size_t> place_;
+  std::vector<std::vector<std::uint32_t>> rows_;
+  std::vector<Benefit> weights_;
+};
+
+}  // namespace
+
 CoverageProblem::CoverageProblem(const CoverInstance& instance) {
   const CoverState state(instance);
   const std::vector<std::uint32_t> rows = rows_without_dominated(instance.rows());
   row_numbers.assign(rows.begin(), rows.end());
-  incidence.rows.resize(rows.size());
+  MergedColumns columns;
   for (std::size_t column = 0; column < instance.rows().columns(); ++column) {
     std::vector<std::uint32_t> covering;
     for (std::uint32_t row = 0; row < rows.size(); ++row) {
       if (instance.rows().test(rows[row], column)) covering.push_back(row);
     }
-    add_column(covering, state.weights()[column]);
+    columns.add(std::move(covering), state.weights()[column]);
   }
+  std::move(columns).move_to(*this);
 }
 
 CoverageProblem::CoverageProblem(const CoverageProblem& whole,
                                  std::span<const std::uint32_t> rows) {
   constexpr auto kGone = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> number(whole.incidence.rows.size(), kGone);
+  std::vector<std::uint32_t> number(whole.incidence.row_count(), kGone);
   for (std::uint32_t row = 0; row < rows.size(); ++row) {
     number[rows[row]] = row;
     row_numbers.push_back(whole.row_numbers[rows[row]]);
   }
-  incidence.rows.resize(rows.size());
+  MergedColumns columns;
   for (std::size_t column = 0; column < whole.weights.size(); ++column) {
     std::vector<std::uint32_t> covering;
-    for (const std::uint32_t row : whole.incidence.columns[column]) {
+    for (const std::uint32_t row : whole.incidence.rows_of(column)) {
       if (number[row] != kGone) covering.push_back(number[row]);
     }
-    if (!covering.empty()) add_column(covering, whole.weights[column]);
+    if (!covering.empty()) columns.add(std::move(covering), whole.weights[column]);
   }
-}
-
-void CoverageProblem::add_column(const std::vector<std::uint32_t>& rows, Benefit weight) {
-  const auto next = static_cast<std::uint32_t>(weights.size());
-  const auto [same, is_new] = column_of_rows_.emplace(rows, next);
-  if (is_new) {
-    for (const std::uint32_t row : rows) incidence.rows[row].push_back(next);
-    incidence.columns.push_back(rows);
-    weights.push_back(0);
-  }
-  weights[same->second] += weight;
+  std::move(columns).move_to(*this);
 }
 
 Benefit CoverageProblem::total() const {
@@ -64,7 +82,7 @@ Benefit CoverageProblem::covered(std::span<const std::uint32_t> rows) const {
   std::vector<bool> is_covered(weights.size(), false);
   Benefit sum = 0;
   for (const std::uint32_t row : rows) {
-    for (const std::uint32_t column : incidence.rows[row]) {
+    for (const std::uint32_t column : incidence.columns_of(row)) {
       if (!is_covered[column]) sum += weights[column];
       is_covered[column] = true;
     }
@@ -76,7 +94,7 @@ CoverageValue coverage_value(const CoverageProblem& problem, std::span<const dou
                              double unit, const CoverNodeState& state, std::size_t k) {
   assert(state.chosen <= k);
   CoverageValue result;
-  result.row_prices.assign(problem.incidence.rows.size(), 0);
+  result.row_prices.assign(problem.incidence.row_count(), 0);
   Benefit sum = 0;
   for (std::size_t column = 0; column < problem.weights.size(); ++column) {
     const Benefit weight = problem.weights[column];
@@ -89,7 +107,7 @@ CoverageValue coverage_value(const CoverageProblem& problem, std::span<const dou
                           : units >= static_cast<double>(weight) ? weight
                                                                  : std::llround(units);
     sum += weight - price;
-    for (const std::uint32_t row : problem.incidence.columns[column]) {
+    for (const std::uint32_t row : problem.incidence.rows_of(column)) {
       result.row_prices[row] += price;
     }
   }

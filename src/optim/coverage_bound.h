@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -28,11 +27,6 @@ struct CoverageProblem {
 
   Benefit total() const;
   Benefit covered(std::span<const std::uint32_t> rows) const;
-
- private:
-  void add_column(const std::vector<std::uint32_t>& rows, Benefit weight);
-
-  std::map<std::vector<std::uint32_t>, std::uint32_t> column_of_rows_;
 };
 
 /// What prices u_c of columns, 0 <= u_c <= w_c, prove about a part of the tree (decisions about

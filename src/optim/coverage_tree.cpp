@@ -19,13 +19,13 @@ double unit_of(const CoverageProblem& problem) {
 /// Constraint of row r: (price of a row) + (surplus of r) - (prices of its columns) >= 0; its own
 /// price is x_r.
 LinearProgram make_programme(const CoverageProblem& problem, std::size_t k, double unit) {
-  const std::size_t rows = problem.incidence.rows.size();
+  const std::size_t rows = problem.incidence.row_count();
   std::vector<LinearProgram::Variable> variables;
   for (std::size_t column = 0; column < problem.weights.size(); ++column) {
-    const std::vector<std::uint32_t>& covering = problem.incidence.columns[column];
+    const std::span<const std::uint32_t> covering = problem.incidence.rows_of(column);
     variables.push_back({.cost = -1,
                          .upper = static_cast<double>(problem.weights[column]) / unit,
-                         .rows = covering,
+                         .rows = {covering.begin(), covering.end()},
                          .coefficients = std::vector<double>(covering.size(), -1.0)});
   }
   std::vector<std::uint32_t> all(rows);
@@ -49,9 +49,9 @@ CoverageTree::CoverageTree(const CoverageProblem& problem, std::size_t k,
       limits_(limits),
       unit_(unit_of(problem)),
       programme_(make_programme(problem, k, unit_)),
-      programme_rows_(problem.incidence.rows.size(), Row::kFree),
+      programme_rows_(problem.incidence.row_count(), Row::kFree),
       best_benefit_(to_beat) {
-  assert(start.size() <= k && k <= problem.incidence.rows.size());
+  assert(start.size() <= k && k <= problem.incidence.row_count());
   offer(std::move(start));
   // Prices equal to weights: the k heaviest rows.
   Node root;
@@ -72,7 +72,7 @@ void CoverageTree::search_root() {
 
 std::vector<std::uint32_t> CoverageTree::rows_left() const {
   std::vector<std::uint32_t> rows;
-  for (std::uint32_t row = 0; row < problem_.incidence.rows.size(); ++row) {
+  for (std::uint32_t row = 0; row < problem_.incidence.row_count(); ++row) {
     if (!std::ranges::binary_search(nodes_[0].excluded, row)) rows.push_back(row);
   }
   return rows;
@@ -212,18 +212,18 @@ void CoverageTree::offer(std::vector<std::uint32_t> rows) {
   if (!offered_.insert(rows).second) return;
   const Incidence& incidence = problem_.incidence;
   std::vector<std::uint32_t> times(problem_.weights.size(), 0);
-  std::vector<bool> is_chosen(incidence.rows.size(), false);
+  std::vector<bool> is_chosen(incidence.row_count(), false);
   const auto add = [&](std::uint32_t row) {
     is_chosen[row] = true;
-    for (const std::uint32_t column : incidence.rows[row]) ++times[column];
+    for (const std::uint32_t column : incidence.columns_of(row)) ++times[column];
   };
   const auto remove = [&](std::uint32_t row) {
     is_chosen[row] = false;
-    for (const std::uint32_t column : incidence.rows[row]) --times[column];
+    for (const std::uint32_t column : incidence.columns_of(row)) --times[column];
   };
   const auto weight_covered = [&](std::uint32_t row, std::uint32_t times_covered) {
     Benefit sum = 0;
-    for (const std::uint32_t column : incidence.rows[row]) {
+    for (const std::uint32_t column : incidence.columns_of(row)) {
       if (times[column] == times_covered) sum += problem_.weights[column];
     }
     return sum;

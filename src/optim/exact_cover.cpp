@@ -1,11 +1,12 @@
 #include "optim/exact_cover.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "optim/cover_proof.h"
 #include "optim/cover_tree.h"
 #include "optim/coverage_curve.h"
-#include "optim/incidence_lists.h"
+#include "optim/incidence.h"
 #include "optim/optimal_covers.h"
 #include "optim/reductions.h"
 #include "optim/search_effort.h"
@@ -36,20 +37,55 @@ CoverProof::Component in_matrix_numbers(const CoverComponent& component, std::si
   return {component.rows, bound, std::move(nodes)};
 }
 
-/// A cover to start from. Without a time limit the search is short beside a hard tree, and long
-/// enough for most instances.
-std::vector<std::uint32_t> heuristic_cover(const CoverComponent& component, SearchLimits& limits,
-                                           std::uint64_t seed) {
-  constexpr std::uint64_t kPatience = 10'000'000;
-  constexpr double kShareOfTime = 0.1;
-  const IncidenceLists lists(component.incidence.bits());
-  RandomNumbers random(seed);
-  WholeCoverSearch search(lists, random);
-  SearchEffort effort(limits, kShareOfTime, kPatience, search.work());
-  search.run(effort, 1, [] {});
-  std::vector<std::uint32_t> best(search.best().begin(), search.best().end());
-  std::ranges::sort(best);
-  return best;
+/// Local search for covers of a component beside its tree.
+class HeuristicCover {
+ public:
+  HeuristicCover(const CoverComponent& component, SearchLimits& limits, std::uint64_t seed)
+      : incidence_(component.incidence),
+        limits_(limits),
+        random_(seed),
+        search_(incidence_, random_) {}
+
+  /// Goes on for a share of the time that is left; without a time limit until so much work, the
+  /// same on any machine, brought nothing better.
+  const std::vector<std::uint32_t>& improve(double share) {
+    constexpr std::uint64_t kPatience = 10'000'000;
+    SearchEffort effort(limits_, share, kPatience, search_.work());
+    search_.run(effort, 1, [] {});
+    best_.assign(search_.best().begin(), search_.best().end());
+    std::ranges::sort(best_);
+    return best_;
+  }
+
+ private:
+  const Incidence& incidence_;
+  SearchLimits& limits_;
+  RandomNumbers random_;
+  WholeCoverSearch search_;
+  std::vector<std::uint32_t> best_;
+};
+
+/// The tree until it is done or the limits expire, with covers from local search: with a time limit
+/// after every doubling of the tree, which has four fifths of the time, without one once.
+void search_tree(CoverTree& tree, const CoverComponent& component, SearchLimits& limits,
+                 std::uint64_t seed) {
+  constexpr double kShareOfTime = 0.25;
+  const bool timed = std::isfinite(limits.seconds_left());
+  double began = limits.seconds();
+  tree.search(kNodesBeforeHeuristic);
+  if (tree.bound() >= tree.best().size()) return;
+  HeuristicCover heuristic(component, limits, seed);
+  for (std::size_t nodes = kNodesBeforeHeuristic; tree.bound() < tree.best().size(); nodes *= 2) {
+    if (limits.expired()) return;
+    const double share = kShareOfTime * (limits.seconds() - began) / limits.seconds_left();
+    tree.offer(heuristic.improve(timed ? share : 1));
+    began = limits.seconds();
+    if (timed) {
+      tree.search(2 * nodes);
+    } else {
+      tree.search();
+    }
+  }
 }
 
 ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits, std::uint64_t seed) {
@@ -62,11 +98,7 @@ ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits, std
   });
   for (const CoverComponent& component : reduction.components) {
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
-    tree.search(kNodesBeforeHeuristic);
-    if (tree.bound() < tree.best().size()) {
-      tree.offer(heuristic_cover(component, limits, seed));
-      tree.search();
-    }
+    search_tree(tree, component, limits, seed);
     result.nodes += tree.node_count();
     for (const std::uint32_t row : tree.best()) result.rows.push_back(component.rows[row]);
     result.proof.lower_bound += tree.bound();

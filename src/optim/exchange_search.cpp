@@ -16,7 +16,7 @@ constexpr std::size_t kExchangesPerStart = 1000, kExchangesPerStartAndRow = 20;
 
 }  // namespace
 
-ExchangeSearch::ExchangeSearch(const IncidenceLists& lists, const IntegerWeights& weights,
+ExchangeSearch::ExchangeSearch(const Incidence& lists, const IntegerWeights& weights,
                                RandomNumbers& random)
     : weights_(weights), cover_(lists, weights.columns), random_(random) {}
 

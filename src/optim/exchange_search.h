@@ -23,7 +23,7 @@ class ExchangeSearch {
   using Index = ScoredCover::Index;
 
   /// All must outlive the search.
-  ExchangeSearch(const IncidenceLists& lists, const IntegerWeights& weights, RandomNumbers& random);
+  ExchangeSearch(const Incidence& lists, const IntegerWeights& weights, RandomNumbers& random);
 
   std::uint64_t evaluations() const { return evaluations_; }
   std::uint64_t work() const { return cover_.work() + evaluations_; }

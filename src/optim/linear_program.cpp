@@ -5,12 +5,21 @@
 #include <ClpSimplex.hpp>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace viewcover {
 namespace {
 
 /// Iterations between two looks at the limits.
 constexpr int kIterationsPerLook = 16;
+
+/// A second brake for what passes between two iterations; its grain is what a
+/// run may last beyond the limit.
+void limit_seconds(ClpSimplex& simplex, const SearchLimits& limits) {
+  constexpr double kGrain = 0.1;
+  const double left = limits.seconds_left();
+  simplex.setMaximumWallSeconds(std::isfinite(left) ? left + kGrain : -1.0);
+}
 
 /// Ends a simplex run when the limits say so; exceptions do not pass through the solver.
 class LimitWatch : public ClpEventHandler {
@@ -76,6 +85,7 @@ LinearProgram::Status LinearProgram::solve_dual(SearchLimits& limits, double lim
   if (limits.expired()) return Status::kNone;
   LimitWatch watch(&limits);
   simplex_->passInEventHandler(&watch);
+  limit_seconds(*simplex_, limits);
   simplex_->setDualObjectiveLimit(limit);
   simplex_->dual();
   limits.expired();
@@ -87,6 +97,7 @@ LinearProgram::Status LinearProgram::solve_primal(SearchLimits& limits) {
   if (limits.expired()) return Status::kNone;
   LimitWatch watch(&limits);
   simplex_->passInEventHandler(&watch);
+  limit_seconds(*simplex_, limits);
   simplex_->setDualObjectiveLimit(kInfinity);
   simplex_->primal();
   limits.expired();

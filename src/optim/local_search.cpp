@@ -157,7 +157,7 @@ class LocalRun {
   const CoverOptions& options_;
   SearchLimits limits_;
   RandomNumbers random_;
-  IncidenceLists lists_;
+  Incidence lists_;
   IntegerWeights weights_;
   ExchangeSearch exchanges_;
   SwapSearch swaps_;

@@ -59,10 +59,10 @@ class Enumeration {
   Next next_column(std::vector<std::uint32_t>& rows) const {
     bool found = false;
     std::vector<std::uint32_t> free_rows;
-    for (std::size_t column = 0; column < incidence_.columns.size(); ++column) {
+    for (std::size_t column = 0; column < incidence_.column_count(); ++column) {
       if (state_.times_covered[column] > 0) continue;
       free_rows.clear();
-      for (const std::uint32_t row : incidence_.columns[column]) {
+      for (const std::uint32_t row : incidence_.rows_of(column)) {
         if (state_.rows[row] == Row::kFree) free_rows.push_back(row);
       }
       if (!found || free_rows.size() < rows.size()) rows = free_rows;
@@ -98,16 +98,14 @@ class Enumeration {
 OptimalCovers covers_of_size(const BitRows& matrix, std::size_t size, std::size_t most,
                              SearchLimits& limits) {
   const std::vector<std::uint32_t> columns = columns_without_implied(matrix);
-  Incidence incidence;
-  incidence.rows.resize(matrix.rows());
-  for (std::uint32_t c = 0; c < columns.size(); ++c) {
-    incidence.columns.emplace_back();
+  std::vector<std::vector<std::uint32_t>> rows_of_columns;
+  for (const std::uint32_t column : columns) {
+    rows_of_columns.emplace_back();
     for (std::uint32_t row = 0; row < matrix.rows(); ++row) {
-      if (!matrix.test(row, columns[c])) continue;
-      incidence.columns[c].push_back(row);
-      incidence.rows[row].push_back(c);
+      if (matrix.test(row, column)) rows_of_columns.back().push_back(row);
     }
   }
+  const Incidence incidence(matrix.rows(), rows_of_columns);
   return Enumeration(incidence, size, most, limits).run();
 }
 

@@ -33,28 +33,31 @@ class Reducer {
         rows_(matrix.rows()),
         columns_(matrix.columns()) {
     for (std::size_t row = 0; row < matrix.rows(); ++row) {
-      for (const std::uint32_t column : incidence_.rows[row]) column_bits_.set(column, row);
+      for (const std::uint32_t column : incidence_.columns_of(row)) column_bits_.set(column, row);
     }
     for (std::size_t column = 0; column < matrix.columns(); ++column) {
-      if (incidence_.columns[column].empty()) columns_.erase(column);
+      if (incidence_.rows_of(column).empty()) columns_.erase(column);
     }
   }
 
   bool drop_implied_columns() {
-    return drop(Kind::kColumn, incidence_.columns, rows_, row_bits_, columns_, true);
+    const auto rows_of = [this](std::uint32_t column) { return incidence_.rows_of(column); };
+    return drop(Kind::kColumn, rows_of, rows_, row_bits_, columns_, true);
   }
   bool drop_dominated_rows() {
-    return drop(Kind::kRow, incidence_.rows, columns_, column_bits_, rows_, false);
+    const auto columns_of = [this](std::uint32_t row) { return incidence_.columns_of(row); };
+    return drop(Kind::kRow, columns_of, columns_, column_bits_, rows_, false);
   }
   bool take_essential_rows() {
     bool changed = false;
-    for (std::uint32_t column = 0; column < incidence_.columns.size(); ++column) {
+    for (std::uint32_t column = 0; column < incidence_.column_count(); ++column) {
       if (!columns_.has(column)) continue;
-      const std::vector<std::uint32_t> rows = remaining(incidence_.columns[column], rows_);
+      const std::vector<std::uint32_t> rows = remaining(incidence_.rows_of(column), rows_);
       if (rows.size() != 1) continue;
       steps_.push_back({Kind::kTake, rows.front(), column});
       rows_.erase(rows.front());
-      for (const std::uint32_t covered : incidence_.rows[rows.front()]) columns_.erase(covered);
+      for (const std::uint32_t covered : incidence_.columns_of(rows.front()))
+        columns_.erase(covered);
       changed = true;
     }
     return changed;
@@ -84,7 +87,7 @@ class Reducer {
     std::iota(numbers.begin(), numbers.end(), 0u);
     return numbers;
   }
-  static std::vector<std::uint32_t> remaining(const std::vector<std::uint32_t>& numbers,
+  static std::vector<std::uint32_t> remaining(std::span<const std::uint32_t> numbers,
                                               const Members& members) {
     std::vector<std::uint32_t> kept;
     for (const std::uint32_t number : numbers) {
@@ -93,17 +96,18 @@ class Reducer {
     return kept;
   }
 
-  /// Compares the things of `members`, given as lists of `crossing` things: one goes if another one
-  /// has all it has (`supersets_go` false), or the other one does (true). `bits[x]`: the things
+  /// Compares the things of `members`, each with a list of `crossing` things: one goes if another
+  /// one has all it has (`supersets_go` false), or the other one does (true). `bits[x]`: the things
   /// that crossing thing x has.
-  bool drop(Kind kind, const std::vector<std::vector<std::uint32_t>>& lists,
-            const Members& crossing, const BitRows& bits, Members& members, bool supersets_go) {
+  template <class ListOf>
+  bool drop(Kind kind, ListOf&& list_of, const Members& crossing, const BitRows& bits,
+            Members& members, bool supersets_go) {
     // Small ones first; of equal ones the first one stays.
     std::vector<std::uint32_t> order;
-    std::vector<std::vector<std::uint32_t>> kept(lists.size());
-    for (std::uint32_t thing = 0; thing < lists.size(); ++thing) {
+    std::vector<std::vector<std::uint32_t>> kept(bits.columns());
+    for (std::uint32_t thing = 0; thing < kept.size(); ++thing) {
       if (!members.has(thing)) continue;
-      kept[thing] = remaining(lists[thing], crossing);
+      kept[thing] = remaining(list_of(thing), crossing);
       order.push_back(thing);
     }
     if (!supersets_go) std::ranges::reverse(order);
@@ -140,7 +144,7 @@ class Reducer {
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(row_count +
                                                                               column_bits_.rows());
     for (const std::uint32_t column : remaining_columns()) {
-      for (const std::uint32_t row : remaining(incidence_.columns[column], rows_)) {
+      for (const std::uint32_t row : remaining(incidence_.rows_of(column), rows_)) {
         boost::add_edge(row, row_count + column, graph);
       }
     }
@@ -165,14 +169,12 @@ class Reducer {
     std::vector<std::uint32_t> number(row_count);
     for (CoverComponent& component : result) {
       for (std::uint32_t i = 0; i < component.rows.size(); ++i) number[component.rows[i]] = i;
-      component.incidence.rows.resize(component.rows.size());
-      for (std::uint32_t c = 0; c < component.columns.size(); ++c) {
-        std::vector<std::uint32_t>& rows = component.incidence.columns.emplace_back();
-        for (const std::uint32_t row : remaining(incidence_.columns[component.columns[c]], rows_)) {
-          rows.push_back(number[row]);
-          component.incidence.rows[number[row]].push_back(c);
-        }
+      std::vector<std::vector<std::uint32_t>> lists;
+      for (const std::uint32_t column : component.columns) {
+        lists.push_back(remaining(incidence_.rows_of(column), rows_));
+        for (std::uint32_t& row : lists.back()) row = number[row];
       }
+      component.incidence = Incidence(component.rows.size(), lists);
     }
     return result;
   }

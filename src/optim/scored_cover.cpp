@@ -12,7 +12,7 @@ constexpr std::size_t kScanShare = 8;
 
 }  // namespace
 
-ScoredCover::ScoredCover(const IncidenceLists& lists, std::vector<Score> weights)
+ScoredCover::ScoredCover(const Incidence& lists, std::vector<Score> weights)
     : lists_(&lists),
       scores_(lists.row_count(), 0),
       changed_(lists.row_count(), 1),

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "optim/incidence_lists.h"
+#include "optim/incidence.h"
 #include "optim/loss_queue.h"
 
 namespace viewcover {
@@ -18,11 +18,11 @@ namespace viewcover {
 /// Not safe for concurrent use.
 class ScoredCover {
  public:
-  using Index = IncidenceLists::Index;
+  using Index = Incidence::Index;
   using Score = std::int64_t;
 
   /// No row is chosen. The lists must outlive the cover. Cost: O(#ones).
-  ScoredCover(const IncidenceLists& lists, std::vector<Score> weights);
+  ScoredCover(const Incidence& lists, std::vector<Score> weights);
 
   std::size_t row_count() const { return scores_.size(); }
   std::span<const Index> rows_of(Index column) const { return lists_->rows_of(column); }
@@ -63,7 +63,7 @@ class ScoredCover {
 
   void score_changed(Index chosen_row);
 
-  const IncidenceLists* lists_;
+  const Incidence* lists_;
   std::vector<Score> weights_;
   std::vector<Score> scores_;
   std::vector<char> changed_;

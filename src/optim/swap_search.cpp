@@ -17,8 +17,7 @@ constexpr std::size_t kComparisonsPerWork = 4;
 
 }  // namespace
 
-SwapSearch::SwapSearch(const IncidenceLists& lists, const IntegerWeights& weights,
-                       RandomNumbers& random)
+SwapSearch::SwapSearch(const Incidence& lists, const IntegerWeights& weights, RandomNumbers& random)
     : lists_(lists),
       weights_(weights),
       random_(random),

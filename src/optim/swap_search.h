@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "optim/incidence_lists.h"
+#include "optim/incidence.h"
 #include "optim/integer_weights.h"
 #include "optim/search_effort.h"
 #include "scene/random_numbers.h"
@@ -21,10 +21,10 @@ namespace viewcover {
 /// Not safe for concurrent use.
 class SwapSearch {
  public:
-  using Index = IncidenceLists::Index;
+  using Index = Incidence::Index;
 
   /// All must outlive the search.
-  SwapSearch(const IncidenceLists& lists, const IntegerWeights& weights, RandomNumbers& random);
+  SwapSearch(const Incidence& lists, const IntegerWeights& weights, RandomNumbers& random);
 
   std::uint64_t evaluations() const { return evaluations_; }
   std::uint64_t work() const { return work_; }
@@ -48,7 +48,7 @@ class SwapSearch {
   void enter(Index column, Score weight);
   Score& saved(Index row, Index place) { return saved_[row * chosen_.size() + place]; }
 
-  const IncidenceLists& lists_;
+  const Incidence& lists_;
   const IntegerWeights& weights_;
   RandomNumbers& random_;
   std::vector<Index> chosen_;

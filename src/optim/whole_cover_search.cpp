@@ -4,7 +4,7 @@
 
 namespace viewcover {
 
-WholeCoverSearch::WholeCoverSearch(const IncidenceLists& lists, RandomNumbers& random)
+WholeCoverSearch::WholeCoverSearch(const Incidence& lists, RandomNumbers& random)
     : cover_(lists, std::vector<ScoredCover::Score>(lists.column_count(), 1)), random_(random) {
   while (!cover_.uncovered().empty()) add_greedily();
   const auto is_redundant = [&] {

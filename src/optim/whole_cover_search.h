@@ -25,7 +25,7 @@ class WholeCoverSearch {
   using Index = ScoredCover::Index;
 
   /// Begins with a greedy cover; ties are broken by chance.
-  WholeCoverSearch(const IncidenceLists& lists, RandomNumbers& random);
+  WholeCoverSearch(const Incidence& lists, RandomNumbers& random);
 
   /// Rows of the smallest cover so far.
   const std::vector<Index>& best() const { return best_; }

@@ -10,7 +10,7 @@
 namespace viewcover {
 namespace {
 
-using Index = IncidenceLists::Index;
+using Index = Incidence::Index;
 
 /// What the searches for the k rows that cover most promise alike.
 template <class Search>
@@ -34,7 +34,7 @@ TYPED_TEST(CoverageSearch, FindsTheBestOfSmallInstancesFromAnyStart) {
       }
     }
     const CoverInstance instance(matrix, column_weights);
-    const IncidenceLists lists(instance.rows());
+    const Incidence lists(instance.rows());
     const IntegerWeights weights(instance);
     RandomNumbers numbers(seed);
     TypeParam search(lists, weights, numbers);
@@ -61,7 +61,7 @@ TYPED_TEST(CoverageSearch, FindsTheBestOfSmallInstancesFromAnyStart) {
 TYPED_TEST(CoverageSearch, NeverLeavesLessThanItsStart) {
   const reference::Room room = reference::furnished_room(16, 1000, 8, 3);
   const CoverInstance instance(room.matrix, room.weights);
-  const IncidenceLists lists(instance.rows());
+  const Incidence lists(instance.rows());
   const IntegerWeights weights(instance);
   RandomNumbers numbers(1);
   TypeParam search(lists, weights, numbers);

@@ -49,7 +49,7 @@ TEST(ScoredCover, StaysConsistentUnderRandomChanges) {
     const reference::Room room = reference::furnished_room(side, side == 4 ? 300 : 40, 6, 1);
     const CoverInstance instance(room.matrix, room.weights);
     const BitRows& matrix = instance.rows();
-    const IncidenceLists lists(matrix);
+    const Incidence lists(matrix);
     ScoredCover cover(lists, std::vector<Score>(matrix.columns(), 1));
     std::mt19937_64 random(7);
     Index newest = ~Index{0};
@@ -86,7 +86,7 @@ TEST(ScoredCover, StaysConsistentUnderRandomChanges) {
 TEST(ScoredCover, NewWeightsGiveNewScores) {
   const reference::Room room = reference::furnished_room(4, 200, 4, 2);
   const CoverInstance instance(room.matrix, room.weights);
-  const IncidenceLists lists(instance.rows());
+  const Incidence lists(instance.rows());
   ScoredCover cover(lists, std::vector<Score>(lists.column_count(), 1));
   for (const Index row : {1u, 5u, 9u}) cover.add(row);
   std::vector<Score> weights;
