@@ -84,9 +84,10 @@ std::size_t CoverTree::bound() const {
   return open_.empty() ? best_.size() : std::min(best_.size(), open_.top().bound);
 }
 
-void CoverTree::search(std::size_t most_nodes) {
-  while (!open_.empty() && open_.top().bound < best_.size() && nodes_.size() < most_nodes) {
-    if (limits_.expired()) return;
+void CoverTree::search(const Slice& slice) {
+  const double end = limits_.seconds() + slice.seconds;
+  while (!open_.empty() && open_.top().bound < best_.size() && nodes_.size() < slice.nodes) {
+    if (limits_.expired() || limits_.seconds() >= end) return;
     const NodeId id = open_.top().node;
     open_.pop();
     if (!process(id)) {

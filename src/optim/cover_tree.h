@@ -35,9 +35,14 @@ class CoverTree {
   /// the tree.
   CoverTree(const Incidence& incidence, std::vector<std::uint32_t> cover, SearchLimits& limits);
 
-  /// Goes on until best() is proved smallest, the tree has so many nodes or the limits expire.
+  /// How far a call of search() goes.
+  struct Slice {
+    std::size_t nodes = std::numeric_limits<std::size_t>::max();  ///< of the tree
+    double seconds = std::numeric_limits<double>::infinity();     ///< of the call, about
+  };
+  /// Goes on until best() is proved smallest, the slice is used up or the limits expire.
   /// Errors: Interrupted.
-  void search(std::size_t most_nodes = std::numeric_limits<std::size_t>::max());
+  void search(const Slice& slice);
   /// A cover from elsewhere, in case it is smaller than best().
   void offer(std::vector<std::uint32_t> cover);
 

@@ -18,9 +18,6 @@
 namespace viewcover {
 namespace {
 
-/// Nodes that most rooms need fewer than: a better cover to start from would cost more time.
-constexpr std::size_t kNodesBeforeHeuristic = 50;
-
 /// A whole cover and the proof of how far from smallest it may be.
 struct ProvedCover {
   std::vector<std::size_t> rows;  ///< ascending
@@ -46,18 +43,27 @@ class HeuristicCover {
         random_(seed),
         search_(incidence_, random_) {}
 
+  /// As much as the first programme of the tree hardly notices.
+  const std::vector<std::uint32_t>& begin() {
+    SearchEffort effort(limits_, 20 * incidence_.ones(), search_.work());
+    return run(effort);
+  }
   /// Goes on for a share of the time that is left; without a time limit until so much work, the
   /// same on any machine, brought nothing better.
   const std::vector<std::uint32_t>& improve(double share) {
     constexpr std::uint64_t kPatience = 10'000'000;
     SearchEffort effort(limits_, share, kPatience, search_.work());
+    return run(effort);
+  }
+
+ private:
+  const std::vector<std::uint32_t>& run(SearchEffort& effort) {
     search_.run(effort, 1, [] {});
     best_.assign(search_.best().begin(), search_.best().end());
     std::ranges::sort(best_);
     return best_;
   }
 
- private:
   const Incidence& incidence_;
   SearchLimits& limits_;
   RandomNumbers random_;
@@ -65,26 +71,24 @@ class HeuristicCover {
   std::vector<std::uint32_t> best_;
 };
 
-/// The tree until it is done or the limits expire, with covers from local search: with a time limit
-/// after every doubling of the tree, which has four fifths of the time, without one once.
-void search_tree(CoverTree& tree, const CoverComponent& component, SearchLimits& limits,
-                 std::uint64_t seed) {
-  constexpr double kShareOfTime = 0.25;
+/// The tree of a component until it is done or the limits expire, with covers from local search in
+/// between: after a first slice, which is enough for most rooms, and with a time limit after every
+/// further slice, each twice as long as all before it.
+CoverTree searched_tree(const CoverComponent& component, SearchLimits& limits, std::uint64_t seed) {
+  constexpr CoverTree::Slice kFirst{.nodes = 50, .seconds = 1};
+  constexpr double kShareOfTime = 0.25;  // of local search beside the tree
   const bool timed = std::isfinite(limits.seconds_left());
-  double began = limits.seconds();
-  tree.search(kNodesBeforeHeuristic);
-  if (tree.bound() >= tree.best().size()) return;
   HeuristicCover heuristic(component, limits, seed);
-  for (std::size_t nodes = kNodesBeforeHeuristic; tree.bound() < tree.best().size(); nodes *= 2) {
-    if (limits.expired()) return;
-    const double share = kShareOfTime * (limits.seconds() - began) / limits.seconds_left();
-    tree.offer(heuristic.improve(timed ? share : 1));
-    began = limits.seconds();
-    if (timed) {
-      tree.search(2 * nodes);
-    } else {
-      tree.search();
-    }
+  CoverTree tree(component.incidence, heuristic.begin(), limits);
+  CoverTree::Slice slice = kFirst;
+  if (!timed) slice.seconds = CoverTree::Slice().seconds;
+  while (true) {
+    const double began = limits.seconds();
+    tree.search(slice);
+    const double took = limits.seconds() - began;
+    if (tree.bound() >= tree.best().size() || limits.expired()) return tree;
+    tree.offer(heuristic.improve(timed ? kShareOfTime * took / limits.seconds_left() : 1));
+    slice = {.seconds = timed ? 2 * took : CoverTree::Slice().seconds};
   }
 }
 
@@ -97,8 +101,7 @@ ProvedCover prove_cover(const CoverInstance& instance, SearchLimits& limits, std
     return component.columns.size();
   });
   for (const CoverComponent& component : reduction.components) {
-    CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
-    search_tree(tree, component, limits, seed);
+    const CoverTree tree = searched_tree(component, limits, seed);
     result.nodes += tree.node_count();
     for (const std::uint32_t row : tree.best()) result.rows.push_back(component.rows[row]);
     result.proof.lower_bound += tree.bound();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "optim/search_limits.h"
 
@@ -16,6 +17,14 @@ class SearchEffort {
   SearchEffort(SearchLimits& limits, double share, std::uint64_t patience, std::uint64_t work)
       : limits_(&limits),
         end_(limits.seconds() + share * limits.seconds_left()),
+        patience_(patience),
+        work_at_success_(work),
+        next_look_(work) {}
+
+  /// The same work with and without a time limit.
+  SearchEffort(SearchLimits& limits, std::uint64_t patience, std::uint64_t work)
+      : limits_(&limits),
+        end_(std::numeric_limits<double>::infinity()),
         patience_(patience),
         work_at_success_(work),
         next_look_(work) {}
