@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -54,6 +56,7 @@ struct CoverQuestion {
   std::unique_ptr<CoverMethod> method;
   CoverOptions options;
   std::filesystem::path proof_file;
+  double best_after_seconds = 0;  ///< when the smallest whole cover was found
 
   explicit CoverQuestion(const CoverText& text) : proof_file(text.proof) {
     if (text.matrix.empty()) throw InputError("MATRIX", "is missing", "give a file");
@@ -118,27 +121,32 @@ Json answer(const CoverQuestion& question, const CoverInstance& instance, const 
     json["solutions_complete"] = cover.solutions_complete;
   }
   json["seconds"] = seconds;
+  if (!one_k) json["best_after_seconds"] = question.best_after_seconds;
   json["method"] = question.method->name();
   json["evaluations"] = step.evaluations;
   return json;
 }
 
 RegionCover search(CoverQuestion& question, const CoverInstance& instance, bool quiet) {
-  const std::size_t bound = instance.lower_bound();
-  std::atomic<std::size_t> best = 0;
+  std::atomic<std::size_t> best = 0, bound = instance.lower_bound();
   const Progress shown(
       "cover",
       [&] {
-        const std::size_t found = best.load();
+        const std::size_t found = best.load(), proved = std::min(bound.load(), found);
+        if (found == 0) return Progress::State{0, "no cover yet"};
         return Progress::State{
-            found == 0 ? 0 : static_cast<double>(bound) / static_cast<double>(found),
-            found == 0 ? std::string("no cover yet")
-                       : "best " + std::to_string(found) + ", bound " + std::to_string(bound)};
+            static_cast<double>(proved) / static_cast<double>(found),
+            fmt::format("best {}, bound {}, gap {:.1f} %", found, proved,
+                        100.0 * static_cast<double>(found - proved) / static_cast<double>(found))};
       },
       quiet);
   question.options.stop = &interrupt_flag();
   question.options.stop_keeps_best = true;
-  question.options.on_better = [&](const BetterCover& better) { best = better.chosen.size(); };
+  question.options.on_better = [&](const BetterCover& better) {
+    best = better.chosen.size();
+    question.best_after_seconds = better.seconds;
+  };
+  question.options.on_bound = [&](std::size_t proved) { bound = std::max(bound.load(), proved); };
   return question.method->solve(instance, question.options);
 }
 

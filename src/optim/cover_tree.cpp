@@ -84,7 +84,7 @@ std::size_t CoverTree::bound() const {
   return open_.empty() ? best_.size() : std::min(best_.size(), open_.top().bound);
 }
 
-void CoverTree::search(const Slice& slice) {
+void CoverTree::search(const Slice& slice, const std::function<void()>& after_node) {
   const double end = limits_.seconds() + slice.seconds;
   while (!open_.empty() && open_.top().bound < best_.size() && nodes_.size() < slice.nodes) {
     if (limits_.expired() || limits_.seconds() >= end) return;
@@ -94,6 +94,7 @@ void CoverTree::search(const Slice& slice) {
       push(id);
       return;
     }
+    after_node();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -40,9 +41,9 @@ class CoverTree {
     std::size_t nodes = std::numeric_limits<std::size_t>::max();  ///< of the tree
     double seconds = std::numeric_limits<double>::infinity();     ///< of the call, about
   };
-  /// Goes on until best() is proved smallest, the slice is used up or the limits expire.
-  /// Errors: Interrupted.
-  void search(const Slice& slice);
+  /// Goes on until best() is proved smallest, the slice is used up or the limits expire; calls
+  /// `after_node` after each node. Errors: Interrupted.
+  void search(const Slice& slice, const std::function<void()>& after_node);
   /// A cover from elsewhere, in case it is smaller than best().
   void offer(std::vector<std::uint32_t> cover);
 

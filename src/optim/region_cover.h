@@ -103,6 +103,7 @@ struct CoverOptions {
   bool stop_keeps_best = false;                       ///< `stop` ends as the time limit does
   std::function<void(const CoverStep&)> on_step;      ///< after each k that is searched
   std::function<void(const BetterCover&)> on_better;  ///< after each smaller whole cover
+  std::function<void(std::size_t)> on_bound;          ///< after each rise of a proved lower bound
 };
 
 /// One method of choosing rows; methods are found by name (optim/cover_methods.h).

@@ -96,6 +96,25 @@ TEST(ExactCover, AffineSpacesTakeFiveAndEighteen) {
   }
 }
 
+TEST(ExactCover, ReportsHowBoundAndCoverMeet) {
+  const BitRows matrix = affine_space(3);
+  std::vector<std::size_t> bounds, sizes;
+  CoverOptions options;
+  options.goal = CoverGoal::kWholeCover;
+  options.on_bound = [&](std::size_t bound) {
+    EXPECT_FALSE(sizes.empty());  // a bound is of little use before there is a cover
+    bounds.push_back(bound);
+  };
+  options.on_better = [&](const BetterCover& better) { sizes.push_back(better.chosen.size()); };
+  const CoverInstance instance(matrix, std::vector<double>(matrix.columns(), 1.0));
+  ExactCover().solve(instance, options);
+  EXPECT_GE(bounds.size(), 3u);  // 1, that of the first programme, and others up to the optimum
+  EXPECT_TRUE(std::ranges::is_sorted(bounds, std::less_equal<>()));
+  EXPECT_TRUE(std::ranges::is_sorted(sizes, std::greater_equal<>()));
+  EXPECT_EQ(bounds.back(), 18u);
+  EXPECT_EQ(sizes.back(), 18u);
+}
+
 TEST(ExactCover, RoomsAreProved) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
