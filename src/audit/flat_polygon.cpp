@@ -83,6 +83,7 @@ FlatPolygon::FlatPolygon(std::vector<FlatPoint> corners) : corners_(std::move(co
     turn = FlatLine(corners_[i], corners_[(i + 1) % n]).side(corners_[(i + 2) % n]);
   }
   if (turn < 0) std::ranges::reverse(corners_);
+  lines_.reserve(n);
   for (std::size_t i = 0; i < n; ++i) lines_.emplace_back(corners_[i], corners_[(i + 1) % n]);
 }
 
@@ -104,6 +105,10 @@ std::optional<FlatPolygon> FlatPolygon::cut(const FlatLine& line) {
   for (const FlatPoint& corner : corners_) sides.push_back(line.side(corner));
   if (std::ranges::none_of(sides, [](int side) { return side < 0; })) return std::nullopt;
   FlatPolygon left, right;
+  for (FlatPolygon* part : {&left, &right}) {
+    part->corners_.reserve(n + 2);
+    part->lines_.reserve(n + 2);
+  }
   const auto add = [](FlatPolygon& part, const FlatPoint& corner, const FlatLine& onward) {
     part.corners_.push_back(corner);
     part.lines_.push_back(onward);

@@ -26,18 +26,22 @@ class ImagedElement {
   /// Cost: linear in the pieces, and for sums of areas see `flat::twice_area`.
   ElementAudit result() const;
 
- private:
   struct Piece {
     flat::FlatPolygon polygon;
-    std::uint32_t images = 0;  // without those of the whole
+    std::uint32_t images = 0;  ///< viewpoints that see part of the element and this piece
   };
+  /// Exact; none while the element is in one piece.
+  std::span<const Piece> pieces() const { return pieces_; }
+  /// Viewpoints that see the whole element.
+  std::uint32_t whole() const { return whole_; }
 
+ private:
   /// [k]: exact share of the area that exactly k viewpoints see.
   std::vector<flat::Rational> shares_by_images() const;
 
   const SurfacePlane* plane_;
   ConvexPolygon element_;
-  std::vector<Piece> pieces_;  // empty while it is in one piece
+  std::vector<Piece> pieces_;
   std::uint32_t whole_ = 0;
 };
 

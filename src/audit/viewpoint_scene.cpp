@@ -116,13 +116,21 @@ Blocks ViewpointScene::blocks(const ViewedOccluder& occluder, std::span<const Po
   return passes ? Blocks::kPart : Blocks::kEverything;
 }
 
+template <class Number>
+IntegerPoint ViewpointScene::edge_normal(const Point& from, const Point& to) const {
+  const auto origin = frame_.operator()<Number>(viewpoint_);
+  const auto normal =
+      cross(frame_.operator()<Number>(from) - origin, frame_.operator()<Number>(to) - origin);
+  return {exact::to_big(normal[0]), exact::to_big(normal[1]), exact::to_big(normal[2])};
+}
+
 SpacePlane ViewpointScene::edge_plane(SurfaceId occluder, std::size_t edge) const {
   const ConvexPolygon& polygon = planar_.scene()[occluder].polygon;
-  const auto toward = [&](std::size_t corner) {
-    return frame_.operator()<BigInteger>(polygon[corner % polygon.size()]) - origin_;
-  };
-  IntegerPoint normal = cross(toward(edge), toward(edge + 1));
-  if (side(occluder) > 0) normal = -normal;
+  const Point *from = &polygon[edge], *to = &polygon[(edge + 1) % polygon.size()];
+  if (side(occluder) > 0) std::swap(from, to);
+  // Differences of numbers of 60 bits have 61, and their cross product 124.
+  const IntegerPoint normal = frame_.is_narrow() ? edge_normal<exact::CheckedWide>(*from, *to)
+                                                 : edge_normal<BigInteger>(*from, *to);
   BigInteger offset = dot(normal, origin_);
   return {finer_ * normal, std::move(offset)};
 }

@@ -87,6 +87,9 @@ class ViewpointScene {
   SpacePlane own_plane(SurfaceId occluder) const;
 
  private:
+  template <class Number>
+  IntegerPoint edge_normal(const Point& from, const Point& to) const;
+
   const PlanarScene& planar_;
   Point viewpoint_;
   double reach_;
