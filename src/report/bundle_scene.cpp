@@ -1,7 +1,7 @@
 #include "report/bundle_scene.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "report/csv_table.h"
 #include "report/run_record.h"
@@ -93,7 +93,8 @@ void read_elements(const std::filesystem::path& file, BundleScene& bundle) {
 BundleScene load_bundle_scene(const std::filesystem::path& folder,
                               const std::filesystem::path& scene_file) {
   const SceneRecord record = scene_record(folder);
-  const std::filesystem::path file = scene_file.empty() ? record.file : scene_file;
+  const std::filesystem::path file =
+      scene_file.empty() ? std::filesystem::path(record.file) : scene_file;
   if (!std::filesystem::exists(file)) {
     throw InputError(file.string(), "the scene of the run is not there",
                      "say where it is with --scene FILE");

@@ -8,6 +8,7 @@
 #include "audit/imaged_element.h"
 #include "audit/made_audit.h"
 #include "exact/view_cone.h"
+#include "scene/random_numbers.h"
 
 namespace viewcover {
 namespace {
