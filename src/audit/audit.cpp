@@ -50,14 +50,11 @@ Audit audit_images(const Scene& scene, const ClusterTree& clusters,
   assert(std::ranges::is_sorted(elements));
   const PlanarScene planar(scene, clusters);
   const std::vector<Run> runs = runs_of(elements);
-  std::vector<SurfacePlane> planes;
-  for (const Surface& surface : scene.surfaces)
-    planes.emplace_back(planar.frame(), surface.polygon);
   std::vector<ImagedElement> imaged;
   imaged.reserve(elements.size());
   for (const ElementAddress element : elements) {
     const SurfaceId surface = element.owner();
-    imaged.emplace_back(planes[surface.value], subdivided(scene[surface].polygon, element));
+    imaged.emplace_back(planar.surface_plane(surface), subdivided(scene[surface].polygon, element));
   }
   for (const Point& viewpoint : viewpoints) {
     const ViewpointScene from(planar, viewpoint);

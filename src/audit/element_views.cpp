@@ -20,7 +20,7 @@ class Descent {
         surface_(surface),
         elements_(elements),
         visit_(visit),
-        plane_(from.planar().frame(), from.planar().scene()[surface].polygon) {}
+        plane_(from.planar().surface_plane(surface)) {}
 
   void run() {
     const ConvexPolygon& polygon = from_.planar().scene()[surface_].polygon;
@@ -113,7 +113,7 @@ class Descent {
   SurfaceId surface_;
   std::span<const ElementAddress> elements_;
   const Visit& visit_;
-  SurfacePlane plane_;
+  const SurfacePlane& plane_;
   std::vector<ViewedOccluder> occluders_;
   std::vector<std::vector<std::optional<FlatLine>>> borders_;  // by occluder, made when needed
 };

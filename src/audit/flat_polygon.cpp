@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include "exact/integer_geometry.h"
 
@@ -39,9 +38,6 @@ FlatPoint::FlatPoint(BigInteger first, BigInteger second, BigInteger weight)
 
 FlatLine::FlatLine(BigInteger first, BigInteger second, BigInteger third)
     : a(std::move(first)), b(std::move(second)), c(std::move(third)) {
-  std::array<BigInteger, 3> all = {a, b, c};
-  exact::make_primitive(all);
-  std::tie(a, b, c) = std::tie(all[0], all[1], all[2]);
   const long exponent = std::max(exponent_of(a), exponent_of(b));
   near_a = scaled_double(a, exponent);
   near_b = scaled_double(b, exponent);
@@ -49,7 +45,7 @@ FlatLine::FlatLine(BigInteger first, BigInteger second, BigInteger third)
 }
 
 FlatLine::FlatLine(const FlatPoint& p, const FlatPoint& q)
-    : FlatLine(p.v * q.w - q.v * p.w, q.u * p.w - p.u * q.w, p.u * q.v - q.u * p.v) {}
+    : FlatLine(minor(p.v, q.w, q.v, p.w), minor(q.u, p.w, p.u, q.w), minor(p.u, q.v, q.u, p.v)) {}
 
 FlatLine FlatLine::reversed() const {
   FlatLine line = *this;
@@ -68,11 +64,15 @@ int FlatLine::side(const FlatPoint& point) const {
   const double unsure = kBound * (std::fabs(by_u) + std::fabs(by_v) + std::fabs(near_c)) + kLeast;
   if (value > unsure) return 1;
   if (value < -unsure) return -1;
-  return sign(BigInteger(a * point.u + b * point.v + c * point.w));
+  BigInteger exact_value = a * point.u;
+  mpz_addmul(exact_value.mpz(), b.mpz(), point.v.mpz());
+  mpz_addmul(exact_value.mpz(), c.mpz(), point.w.mpz());
+  return sign(exact_value);
 }
 
 FlatPoint FlatLine::meet(const FlatLine& other) const {
-  return {b * other.c - other.b * c, c * other.a - other.c * a, a * other.b - other.a * b};
+  return {minor(b, other.c, other.b, c), minor(c, other.a, other.c, a),
+          minor(a, other.b, other.a, b)};
 }
 
 FlatPolygon::FlatPolygon(std::vector<FlatPoint> corners) : corners_(std::move(corners)) {
@@ -131,8 +131,17 @@ std::optional<FlatPolygon> FlatPolygon::cut(const FlatLine& line) {
 
 namespace {
 
-/// A line without its direction.
+/// A line without its direction and common divisor.
 using LineKey = std::array<BigInteger, 3>;
+
+LineKey key_of(const FlatLine& line) {
+  LineKey key = {line.a, line.b, line.c};
+  exact::make_primitive(key);
+  if (sign(key[1]) < 0 || (sign(key[1]) == 0 && sign(key[0]) < 0)) {
+    for (BigInteger& x : key) x = -x;
+  }
+  return key;
+}
 
 /// The ends of edges on one line, by their coordinate along it: how many more edges end than start
 /// there.
@@ -154,9 +163,8 @@ Rational twice_area(std::span<const FlatPolygon* const> polygons) {
     const auto corners = polygon->corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const FlatLine& line = polygon->lines()[i];
-      const bool by_u = sign(line.b) != 0, turn = sign(by_u ? line.b : line.a) < 0;
-      Ends& ends =
-          lines[turn ? LineKey{-line.a, -line.b, -line.c} : LineKey{line.a, line.b, line.c}];
+      const bool by_u = sign(line.b) != 0;
+      Ends& ends = lines[key_of(line)];
       const auto end = [&](const FlatPoint& p) -> int& { return ends[{by_u ? p.u : p.v, p.w}]; };
       --end(corners[i]);
       ++end(corners[(i + 1) % corners.size()]);

@@ -19,6 +19,15 @@ using exact::BigInteger;
 using exact::sign;
 using Rational = CGAL::Gmpq;
 
+/// a b - c d.
+inline BigInteger minor(const BigInteger& a, const BigInteger& b, const BigInteger& c,
+                        const BigInteger& d) {
+  BigInteger result;
+  mpz_mul(result.mpz(), a.mpz(), b.mpz());
+  mpz_submul(result.mpz(), c.mpz(), d.mpz());
+  return result;
+}
+
 /// The point (u / w, v / w), w > 0; the three may have a common divisor.
 struct FlatPoint {
   BigInteger u, v, w;
@@ -27,12 +36,13 @@ struct FlatPoint {
   FlatPoint(BigInteger u, BigInteger v, BigInteger w);
 };
 
-/// a u + b v + c = 0, without a common divisor; positive to the left of its direction (b, -a).
+/// a u + b v + c = 0; positive to the left of its direction (b, -a). The three may have a common
+/// divisor.
 struct FlatLine {
   BigInteger a, b, c;
   double near_a = 0, near_b = 0, near_c = 0;  ///< times one power of two; relative errors 2^-52
 
-  /// The common divisor is divided out. Requires a or b not 0.
+  /// Requires a or b not 0.
   FlatLine(BigInteger a, BigInteger b, BigInteger c);
   /// From p to q, which differ.
   FlatLine(const FlatPoint& p, const FlatPoint& q);

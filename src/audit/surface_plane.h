@@ -13,6 +13,9 @@ using exact::BigInteger;
 using exact::IntegerFrame;
 using IntegerPoint = exact::Vector3<BigInteger>;
 
+/// The exponent of the power of two that is a frame's unit.
+inline int unit_exponent(const IntegerFrame& frame) { return frame.unit_exponent() - frame.bits(); }
+
 /// n . x = offset.
 struct SpacePlane {
   IntegerPoint normal;
@@ -33,13 +36,16 @@ class SurfacePlane {
   flat::FlatPolygon flat(std::span<const Point> polygon) const;
   /// Back to scene units, rounded.
   ConvexPolygon lifted(const flat::FlatPolygon& polygon) const;
+  /// The plane, its normal toward the front of the surface.
+  SpacePlane plane() const;
   /// Where another plane, not parallel to this one, meets it; positive on that plane's front side.
   flat::FlatLine meet(const SpacePlane& other) const;
 
  private:
   std::size_t axis_, u_, v_;
-  SpacePlane plane_;  // normal[axis_] > 0
-  int exponent_;      // of the frame's unit
+  IntegerFrame frame_;
+  SpacePlane plane_;       // normal[axis_] > 0
+  bool reversed_ = false;  // against the surface's
 };
 
 }  // namespace viewcover

@@ -17,6 +17,8 @@ PlanarScene::PlanarScene(const Scene& scene, const ClusterTree& clusters)
     planes_.emplace_back(surface.polygon, reach);
     frame_.include(surface.polygon);
   }
+  for (const Surface& surface : scene.surfaces)
+    surface_planes_.emplace_back(frame_, surface.polygon);
 }
 
 ViewedPolygon::ViewedPolygon(const Point& viewpoint, int side, std::span<const Point> polygon,
@@ -56,8 +58,8 @@ ViewpointScene::ViewpointScene(const PlanarScene& planar, const Point& viewpoint
   }
   frame_.include({&viewpoint, 1});
   origin_ = frame_.operator()<BigInteger>(viewpoint);
-  const auto unit = [](const IntegerFrame& frame) { return frame.unit_exponent() - frame.bits(); };
-  mpz_setbit(finer_.mpz(), static_cast<mp_bitcnt_t>(unit(planar.frame()) - unit(frame_)));
+  mpz_setbit(finer_.mpz(),
+             static_cast<mp_bitcnt_t>(unit_exponent(planar.frame()) - unit_exponent(frame_)));
 }
 
 std::vector<ViewedOccluder> ViewpointScene::occluders(SurfaceId id,
@@ -136,11 +138,7 @@ SpacePlane ViewpointScene::edge_plane(SurfaceId occluder, std::size_t edge) cons
 }
 
 SpacePlane ViewpointScene::own_plane(SurfaceId occluder) const {
-  const ConvexPolygon& polygon = planar_.scene()[occluder].polygon;
-  const auto at = [&](std::size_t corner) {
-    return planar_.frame().operator()<BigInteger>(polygon[corner]);
-  };
-  const SpacePlane plane(at(0), at(1), at(2));
+  SpacePlane plane = planar_.surface_plane(occluder).plane();
   if (side(occluder) < 0) return plane;
   return {-plane.normal, -plane.offset};
 }

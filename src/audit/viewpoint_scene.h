@@ -20,6 +20,7 @@ class PlanarScene {
   const Scene& scene() const { return scene_; }
   const ClusterTree& clusters() const { return clusters_; }
   const Plane& plane(SurfaceId id) const { return planes_[id.value]; }
+  const SurfacePlane& surface_plane(SurfaceId id) const { return surface_planes_[id.value]; }
   /// In which all corners of surfaces are integers.
   const IntegerFrame& frame() const { return frame_; }
 
@@ -27,6 +28,7 @@ class PlanarScene {
   const Scene& scene_;
   const ClusterTree& clusters_;
   std::vector<Plane> planes_;
+  std::vector<SurfacePlane> surface_planes_;
   IntegerFrame frame_;
 };
 

@@ -157,7 +157,7 @@ class AuditChecker {
   }
 
   void sample() {
-    constexpr std::size_t kLeast = 4, kMost = 256;
+    constexpr std::size_t kLeast = 4, kMost = 1024;
     const std::size_t pairs = std::max<std::size_t>(1, claimed_.size() * viewpoints_.size());
     const std::size_t samples = std::clamp(options_.most_segments / pairs, kLeast, kMost);
     const ClusterTree clusters(bundle_.scene);

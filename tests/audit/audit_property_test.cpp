@@ -164,7 +164,7 @@ TEST(AuditProperties, PiecesTileTheElementAndPointsAreInAsManyImages) {
     const PlanarScene planar(scene, clusters);
     const SurfaceId floor(room.polygons.size() - 2);
     const ConvexPolygon& polygon = scene[floor].polygon;
-    const SurfacePlane plane(planar.frame(), polygon);
+    const SurfacePlane& plane = planar.surface_plane(floor);
     const ImagedElement element = imaged(planar, plane, floor, room.viewpoints)[0];
     const auto pieces = element.pieces();
     ASSERT_GT(pieces.size(), 1u);
