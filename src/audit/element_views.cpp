@@ -63,6 +63,7 @@ class Descent {
                         std::span<const std::size_t> occluders) {
     std::vector<FlatPolygon> lit, before;
     lit.push_back(plane_.flat(polygon));
+    bool any_shaded = false;
     for (const std::size_t occluder : occluders) {
       const std::vector<const FlatLine*> borders = borders_across(occluder, polygon);
       before.swap(lit);
@@ -74,13 +75,18 @@ class Descent {
           lit.push_back(std::move(part));
           continue;
         }
-        for (const FlatLine* border : borders) {
-          if (auto outside = part.cut(*border)) lit.push_back(std::move(*outside));
+        for (std::size_t k = 0; k < borders.size() && !part.is_empty(); ++k) {
+          if (auto outside = part.cut(*borders[k])) lit.push_back(std::move(*outside));
         }
+        any_shaded |= !part.is_empty();
       }
       if (lit.empty()) return;
     }
-    visit_(index, {.seen = Seen::kInPart, .parts = std::move(lit)});
+    if (any_shaded) {
+      visit_(index, {.seen = Seen::kInPart, .parts = std::move(lit)});
+    } else {
+      visit_(index, {.seen = Seen::kWholly});
+    }
   }
 
   /// The borders of the occluder's shadow, inside to their left, that have some of the polygon

@@ -105,6 +105,10 @@ std::optional<FlatPolygon> FlatPolygon::cut(const FlatLine& line) {
   for (const FlatPoint& corner : corners_) sides.push_back(line.side(corner));
   if (std::ranges::none_of(sides, [](int side) { return side < 0; })) return std::nullopt;
   FlatPolygon left, right;
+  if (std::ranges::none_of(sides, [](int side) { return side > 0; })) {
+    std::swap(*this, right);
+    return right;
+  }
   for (FlatPolygon* part : {&left, &right}) {
     part->corners_.reserve(n + 2);
     part->lines_.reserve(n + 2);

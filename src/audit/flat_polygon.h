@@ -10,10 +10,10 @@
 
 namespace viewcover::flat {
 
-// Exact convex polygons in the plane of an element, seen along one axis: coordinates (u, v).
-// Lines and points are primitive integer vectors, so that a corner is only as large as the two
-// lines that meet there make it, however often the polygon was cut. Doubles with an error bound
-// decide most signs.
+// Exact convex polygons in the plane of an element, seen along one axis: coordinates (u, v). Lines
+// and points are integer vectors. A corner is where two lines meet that were given, never derived
+// from corners, so its integers stay small however often the polygon is cut. Doubles with an error
+// bound decide most signs.
 
 using exact::BigInteger;
 using exact::sign;
@@ -67,9 +67,11 @@ class FlatPolygon {
   bool is_apart_from(const FlatPolygon& other) const;
   /// Do all corners lie to the right of the line, or on it?
   bool is_right_of(const FlatLine& line) const;
-  /// Cuts along the line; the part to its left stays, the part to its right is returned. Nothing
-  /// is returned, and nothing cut, where no corner lies strictly to the right. Requires one
-  /// strictly to the left.
+  /// Without corners, after a cut that left nothing.
+  bool is_empty() const { return corners_.empty(); }
+  /// Cuts along the line: the part to its left stays, the part to its right is returned. Where no
+  /// corner lies strictly to the right nothing is returned, and where none lies strictly to the
+  /// left nothing stays.
   std::optional<FlatPolygon> cut(const FlatLine& line);
 
  private:

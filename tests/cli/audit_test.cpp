@@ -17,8 +17,9 @@ class Audit : public ::testing::Test {
     ASSERT_EQ(room_.solve("bundle", {"--regions", "16"}).exit_code, 0);
     viewpoints_ = room_.write("points.csv", "x,y,z\n1.5,1.25,1.6\n3.7,2.9,1.6\n4.1,0.7,1.6\n");
   }
-  Outcome audit(std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments = {"audit", room_.bundle(), "--viewpoints", viewpoints_};
+  Outcome audit(std::vector<std::string> more = {}) const { return audit_of(viewpoints_, more); }
+  Outcome audit_of(const std::string& viewpoints, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {"audit", room_.bundle(), "--viewpoints", viewpoints};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return viewcover_run(arguments);
   }
@@ -103,8 +104,8 @@ TEST_F(Audit, RefusesWhatIsNotTheRun) {
   expect_refused(viewcover_run({"audit", room_.bundle()}), "holds no viewpoints");
   expect_refused(viewcover_run({"audit", (room_.path() / "nowhere").string()}), "run.json");
   expect_refused(viewcover_run({"audit"}), "DIR");
-  expect_refused(audit({"--viewpoints", room_.write("bad.csv", "x,y\n1,2\n")}), "bad.csv:2");
-  expect_refused(audit({"--viewpoints", room_.write("inf.csv", "x,y,z\n1,2,inf\n")}), "inf.csv:2");
+  expect_refused(audit_of(room_.write("bad.csv", "x,y\n1,2\n")), "bad.csv:2");
+  expect_refused(audit_of(room_.write("inf.csv", "x,y,z\n1,2,inf\n")), "inf.csv:2");
   expect_refused(audit({"--scene", room_.write("other.obj", "v 0 0 0\n")}), "SHA-256");
   std::filesystem::rename(room_.scene(), room_.path() / "moved.obj");
   expect_refused(audit(), "--scene FILE");

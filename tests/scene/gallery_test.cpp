@@ -45,7 +45,7 @@ class Gallery : public ::testing::Test {
     return sum;
   }
 
-  testing::ScratchFolder folder_;
+  ScratchFolder folder_;
 };
 
 // An L of area 3 with a square hole of side 1/4.
