@@ -14,12 +14,16 @@ struct CommonOptions {
 /// Adds `--threads`, `--seed` and `--quiet` to a command.
 void add_common_options(CLI::App& command, CommonOptions& options);
 
+/// The number of threads asked for; all cores by default. Errors: InputError.
+int thread_count(const CommonOptions& options);
+
 // Each adds one command with its options to `app`; once parsed, the command runs and leaves its
 // exit code in `exit_code`. Errors while it runs: InputError, Interrupted.
 void add_solve_command(CLI::App& app, int& exit_code);
 void add_generate_command(CLI::App& app, int& exit_code);
 void add_sees_command(CLI::App& app, int& exit_code);
 void add_cover_command(CLI::App& app, int& exit_code);
+void add_audit_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
 
 }  // namespace viewcover

@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/option_values.h"
 #include "scene/error.h"
+#include "scene/generate/gallery.h"
 #include "scene/generate/generated_scene.h"
 
 namespace viewcover {
@@ -23,6 +24,7 @@ struct GenerateOptions {
   std::string name;
   bool list = false;
   std::string triangles;
+  std::string polygon, height = "1";
 };
 
 std::uint64_t seed_of(const GenerateOptions& options) {
@@ -92,6 +94,15 @@ void generate_soup(const GenerateOptions& options) {
   write(triangle_soup(triangles, seed), options);
 }
 
+void generate_gallery(const GenerateOptions& options) {
+  seed_of(options);
+  if (options.polygon.empty()) {
+    throw InputError("POLYGON", "is missing", "give a file with a corner `x y` a line");
+  }
+  const double height = positive_option("--height", options.height);
+  write(gallery(options.polygon, read_floor_plan(options.polygon), height), options);
+}
+
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& exit_code) {
@@ -125,6 +136,13 @@ void add_generate_command(CLI::App& app, int& exit_code) {
       ->add_option("--triangles", options->triangles, "how many")
       ->type_name("N")
       ->required();
+  CLI::App* const art =
+      add_kind("gallery", "walls, floor and ceiling over a polygon, seen from half the height",
+               generate_gallery);
+  art->add_option("polygon", options->polygon,
+                  "text file: a corner `x y` a line; `hole` or a blank line starts a hole")
+      ->type_name("POLYGON");
+  art->add_option("--height", options->height, "of the walls (default: 1)")->type_name("H");
 }
 
 }  // namespace viewcover

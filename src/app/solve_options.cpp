@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <thread>
 
 #include "app/option_values.h"
 #include "optim/cover_methods.h"
@@ -11,8 +10,6 @@
 namespace viewcover {
 namespace {
 
-/// More threads than any machine at hand has, few enough to start.
-constexpr std::uint64_t kMostThreads = 1024;
 /// A million rays see through any gap that matters; beyond, a run would never end.
 constexpr int kMostRays = 1'000'000;
 /// 4^10, the most regions a part (scene/viewing_region.h).
@@ -93,10 +90,7 @@ SolveOptions::SolveOptions(const SolveText& text)
   require_given("--output", text.output, "give a folder for the results, such as -o results");
   refuse_what_is_not_here(text);
   backend = &*std::ranges::find(backends(), text.backend, &BackendEntry::name);
-  threads = static_cast<int>(
-      text.common.threads.empty()
-          ? std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMostThreads)
-          : count_option("--threads", text.common.threads, 1, kMostThreads));
+  threads = thread_count(text.common);
   seed = count_option("--seed", text.common.seed, 0, UINT64_MAX);
   backend_options.rays = integer_option("--rays", text.rays, 1, kMostRays);
   backend_options.stratified = text.sampling == "stratified";

@@ -1,7 +1,11 @@
+#include <tbb/global_control.h>
+
 #include <memory>
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/option_values.h"
+#include "report/audit_check.h"
 #include "report/bundle_check.h"
 #include "scene/error.h"
 
@@ -12,13 +16,26 @@ constexpr int kDone = 0, kContradicted = 3;
 
 struct VerifyOptions {
   CommonOptions common;
-  std::string folder;
+  std::string folder, scene;
 };
+
+std::vector<BundleClaim> checked_claims(const VerifyOptions& options) {
+  const std::filesystem::path folder = options.folder;
+  std::vector<BundleClaim> claims = check_bundle(folder);
+  if (!std::filesystem::exists(folder / "audit.csv")) return claims;
+  AuditCheckOptions audit;
+  audit.scene_file = options.scene;
+  audit.seed = count_option("--seed", options.common.seed, 0, UINT64_MAX);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(options.common)));
+  for (BundleClaim& claim : check_audit(folder, audit)) claims.push_back(std::move(claim));
+  return claims;
+}
 
 int verify(const VerifyOptions& options) {
   if (options.folder.empty()) throw InputError("DIR", "is missing", "give the folder of a run");
   bool all_hold = true;
-  for (const BundleClaim& claim : check_bundle(options.folder)) {
+  for (const BundleClaim& claim : checked_claims(options)) {
     all_hold = all_hold && claim.holds();
     if (!claim.holds()) {
       print_error_line(options.folder + ": not true that " + claim.claim + ": " +
@@ -37,6 +54,8 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "verify", "recompute what the results of a run claim; exit code 3 if one fails");
   command->add_option("folder", options->folder, "the folder of the run")->type_name("DIR");
+  command->add_option("--scene", options->scene, "the scene of the run, where it has moved")
+      ->type_name("FILE");
   add_common_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = verify(*options); });
 }

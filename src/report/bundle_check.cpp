@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "optim/check_cover_proof.h"
 #include "optim/cover_file.h"
+#include "report/csv_table.h"
+#include "report/run_record.h"
 #include "scene/error.h"
 
 namespace viewcover {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Sums of up to 10^9 terms in another order, and a text with 17 digits.
 constexpr double kRelativeRounding = 1e-6;
@@ -29,87 +27,10 @@ std::ifstream open(const std::filesystem::path& file) {
   return stream;
 }
 
-/// A CSV file; fields may be quoted.
-class Table {
- public:
-  explicit Table(const std::filesystem::path& file) : file_(file.string()) {
-    std::ifstream stream = open(file);
-    std::string line;
-    while (read_record(stream, line)) {
-      (titles_.empty() ? titles_ : rows_.emplace_back()) = fields(line);
-    }
-  }
-
-  std::size_t size() const { return rows_.size(); }
-  const std::string& text(std::size_t row, std::string_view title) const {
-    const auto place =
-        static_cast<std::size_t>(std::ranges::find(titles_, title) - titles_.begin());
-    if (place >= rows_[row].size()) {
-      throw InputError(InputError::at_line(file_, row + 2), "has no " + std::string(title), "");
-    }
-    return rows_[row][place];
-  }
-  double number(std::size_t row, std::string_view title) const {
-    return read_number<double>(row, text(row, title));
-  }
-  std::vector<std::size_t> numbers(std::size_t row, std::string_view title) const {
-    std::vector<std::size_t> all;
-    const std::string& words = text(row, title);
-    for (std::size_t begin = 0; begin < words.size();) {
-      const std::size_t end = std::min(words.find(' ', begin), words.size());
-      all.push_back(read_number<std::size_t>(row, words.substr(begin, end - begin)));
-      begin = end + 1;
-    }
-    return all;
-  }
-
- private:
-  template <class Number>
-  Number read_number(std::size_t row, const std::string& word) const {
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      throw InputError(InputError::at_line(file_, row + 2), "\"" + word + "\" is no number", "");
-    }
-    return value;
-  }
-  /// Line breaks may be quoted.
-  static bool read_record(std::istream& stream, std::string& record) {
-    if (!std::getline(stream, record)) return false;
-    std::string more;
-    while (std::ranges::count(record, '"') % 2 == 1 && std::getline(stream, more)) {
-      record += "\n" + more;
-    }
-    return true;
-  }
-  static std::vector<std::string> fields(const std::string& record) {
-    std::vector<std::string> result(1);
-    bool quoted = false;
-    for (const char c : record) {
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (c == ',' && !quoted) {
-        result.emplace_back();
-      } else {
-        result.back() += c;
-      }
-    }
-    return result;
-  }
-
-  std::string file_;
-  std::vector<std::string> titles_;
-  std::vector<std::vector<std::string>> rows_;
-};
-
 class BundleChecker {
  public:
   explicit BundleChecker(const std::filesystem::path& folder)
-      : folder_(folder), record_(read_record(folder / "run.json")) {
-    if (!record_.value("complete", false)) {
-      throw InputError((folder / "run.json").string(), "says that the run is not complete",
-                       "let it end");
-    }
+      : folder_(folder), record_(read_complete_run(folder)) {
     bits_ = read_cover_file(folder / "visibility.mtx", CoverFormat::kMatrixMarket);
   }
 
@@ -122,20 +43,13 @@ class BundleChecker {
   }
 
  private:
-  static Json read_record(const std::filesystem::path& file) {
-    std::ifstream stream = open(file);
-    Json record = Json::parse(stream, nullptr, false);
-    if (!record.is_object()) throw InputError(file.string(), "is no JSON object", "");
-    return record;
-  }
-
   /// Adds a claim; `contradiction` says what is wrong, or nothing.
   void claim(std::string what, std::string contradiction) {
     claims_.push_back({std::move(what), std::move(contradiction)});
   }
 
   void check_elements() {
-    const Table elements(folder_ / "elements.csv");
+    const CsvTable elements(folder_ / "elements.csv");
     std::string wrong;
     if (elements.size() != bits_.columns()) {
       wrong = fmt::format("{} elements, but {} columns", elements.size(), bits_.columns());
@@ -156,11 +70,11 @@ class BundleChecker {
   }
 
   void check_cover() {
-    const Table cover(folder_ / "cover.csv");
+    const CsvTable cover(folder_ / "cover.csv");
     std::string wrong;
     if (areas_.size() != bits_.columns()) wrong = "not all areas are known";
     for (std::size_t i = 0; i < cover.size() && wrong.empty(); ++i) {
-      chosen_ = cover.numbers(i, "regions");
+      chosen_ = cover.counts(i, "regions");
       for (std::size_t& region : chosen_) {
         if (region < 1 || region > bits_.rows()) wrong = fmt::format("no region {}", region);
         --region;
@@ -190,7 +104,7 @@ class BundleChecker {
   }
 
   void check_regions() {
-    const Table regions(folder_ / "regions.csv");
+    const CsvTable regions(folder_ / "regions.csv");
     std::string wrong;
     if (regions.size() != bits_.rows()) {
       wrong = fmt::format("{} regions, but {} rows", regions.size(), bits_.rows());

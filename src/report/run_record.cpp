@@ -1,8 +1,11 @@
 #include "report/run_record.h"
 
+#include <fstream>
+
 #include "report/build_info.h"
 #include "report/machine.h"
 #include "report/sha256.h"
+#include "scene/error.h"
 
 namespace viewcover {
 namespace {
@@ -108,6 +111,18 @@ Json summary_line(const Solution& solution, std::string_view backend, Guarantee 
   line["seconds"] = seconds_of(seconds);
   line["peak_memory_kb"] = peak_memory_kb();
   return line;
+}
+
+Json read_complete_run(const std::filesystem::path& folder) {
+  const std::string file = (folder / "run.json").string();
+  std::ifstream stream(file);
+  if (!stream) throw InputError(file, "cannot be read", "give the folder of a finished run");
+  Json record = Json::parse(stream, nullptr, false);
+  if (!record.is_object()) throw InputError(file, "is no JSON object", "");
+  if (!record.value("complete", false)) {
+    throw InputError(file, "says that the run is not complete", "let it end");
+  }
+  return record;
 }
 
 std::size_t visible_elements(const VisibilityMatrix& matrix) {

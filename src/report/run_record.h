@@ -36,6 +36,10 @@ void add_results(Json& record, const Solution& solution, const RunSeconds& secon
 Json summary_line(const Solution& solution, std::string_view backend, Guarantee guarantee,
                   const RunSeconds& seconds);
 
+/// The run.json of a finished run. Errors: InputError for a folder that has none, one that is
+/// malformed, or a run that is not complete.
+Json read_complete_run(const std::filesystem::path& folder);
+
 /// Elements that some region sees.
 std::size_t visible_elements(const VisibilityMatrix& matrix);
 

@@ -1,59 +1,48 @@
 #include "report/scene_vtp.h"
 
-#include <string_view>
+#include <array>
 
-#include "report/file_writer.h"
+#include "report/poly_data.h"
 
 namespace viewcover {
 namespace {
 
-constexpr int kElement = 0;
-constexpr int kRegion = 1;
+/// The cells in the making: an entry a cell in every array.
+struct Cells {
+  std::vector<ConvexPolygon> polygons;
+  std::vector<CellArray> arrays{{"kind", {}},   {"times_visible", {}}, {"covered_by", {}},
+                                {"chosen", {}}, {"surface", {}},       {"group", {}}};
 
-struct Cell {
-  ConvexPolygon polygon;
-  int kind = kElement;
-  std::uint32_t times_visible = 0;
-  std::uint32_t covered_by = 0;
-  int chosen = 0;
-  std::uint32_t surface = 0;
-  std::uint32_t group = 0;
+  void add(ConvexPolygon polygon, const std::array<std::uint32_t, 6>& values) {
+    polygons.push_back(std::move(polygon));
+    for (std::size_t i = 0; i < values.size(); ++i) arrays[i].values.push_back(values[i]);
+  }
 };
 
-std::vector<Cell> cells_of(const Solution& solution) {
+constexpr std::uint32_t kElement = 0, kRegion = 1;
+
+Cells cells_of(const Solution& solution) {
   const VisibilityMatrix& matrix = solution.matrix;
   const std::vector<std::uint32_t> times_visible = matrix.times_visible();
   std::vector<std::uint32_t> covered_by(matrix.elements.size(), 0);
+  std::vector<std::uint32_t> chosen(solution.region.region_count(), 0);
   for (const std::size_t row : solution.chosen()) {
+    chosen[row] = 1;
     for_each_bit(matrix.bits.row(row), [&](std::size_t column) { ++covered_by[column]; });
   }
-
-  std::vector<Cell> cells;
-  cells.reserve(matrix.elements.size() + solution.region.region_count());
+  Cells cells;
   for (std::size_t i = 0; i < matrix.elements.size(); ++i) {
     const SurfaceId id = matrix.elements[i].owner();
     const Surface& surface = solution.scene[id];
-    cells.push_back({.polygon = subdivided(surface.polygon, matrix.elements[i]),
-                     .kind = kElement,
-                     .times_visible = times_visible[i],
-                     .covered_by = covered_by[i],
-                     .surface = id.value + 1,
-                     .group = surface.group.value + 1});
+    cells.add(
+        subdivided(surface.polygon, matrix.elements[i]),
+        {kElement, times_visible[i], covered_by[i], 0, id.value + 1, surface.group.value + 1});
   }
   for (std::size_t i = 0; i < solution.region.region_count(); ++i) {
-    cells.push_back(
-        {.polygon = solution.region.polygon(solution.region.address(i)), .kind = kRegion});
+    cells.add(solution.region.polygon(solution.region.address(i)),
+              {kRegion, 0, 0, chosen[i], 0, 0});
   }
-  for (const std::size_t row : solution.chosen()) cells[matrix.elements.size() + row].chosen = 1;
   return cells;
-}
-
-template <class Value>
-void write_array(FileWriter& out, std::string_view name, const std::vector<Cell>& cells,
-                 Value Cell::*member) {
-  out << "        <DataArray type=\"Int32\" Name=\"" << name << "\" format=\"ascii\">\n";
-  for (const Cell& cell : cells) out << cell.*member << '\n';
-  out << "        </DataArray>\n";
 }
 
 /// VTK writes a string in ASCII files as the codes of its bytes with a zero at the end, so that
@@ -73,44 +62,9 @@ void write_group_names(FileWriter& out, const std::vector<std::string>& groups) 
 }  // namespace
 
 void write_scene_vtp(const Solution& solution, const std::filesystem::path& file) {
-  const std::vector<Cell> cells = cells_of(solution);
-  std::size_t points = 0;
-  for (const Cell& cell : cells) points += cell.polygon.size();
-
-  FileWriter out(file);
-  out << "<?xml version=\"1.0\"?>\n"
-      << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      << "  <PolyData>\n";
-  write_group_names(out, solution.scene.groups);
-  out << "    <Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-      << "NumberOfStrips=\"0\" NumberOfPolys=\"" << cells.size() << "\">\n"
-      << "      <CellData Scalars=\"times_visible\">\n";
-  write_array(out, "kind", cells, &Cell::kind);
-  write_array(out, "times_visible", cells, &Cell::times_visible);
-  write_array(out, "covered_by", cells, &Cell::covered_by);
-  write_array(out, "chosen", cells, &Cell::chosen);
-  write_array(out, "surface", cells, &Cell::surface);
-  write_array(out, "group", cells, &Cell::group);
-  out << "      </CellData>\n      <Points>\n"
-      << "        <DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-  for (const Cell& cell : cells) {
-    for (const Point& corner : cell.polygon) {
-      out << corner.x() << ' ' << corner.y() << ' ' << corner.z() << '\n';
-    }
-  }
-  out << "        </DataArray>\n      </Points>\n      <Polys>\n"
-      << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  std::size_t next = 0;
-  for (const Cell& cell : cells) {
-    for (std::size_t i = 0; i < cell.polygon.size(); ++i) out << (i > 0 ? " " : "") << next++;
-    out << '\n';
-  }
-  out << "        </DataArray>\n"
-      << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  std::size_t end = 0;
-  for (const Cell& cell : cells) out << (end += cell.polygon.size()) << '\n';
-  out << "        </DataArray>\n      </Polys>\n    </Piece>\n  </PolyData>\n</VTKFile>\n";
-  out.commit();
+  const Cells cells = cells_of(solution);
+  write_poly_data(file, cells.polygons, cells.arrays, "times_visible",
+                  [&](FileWriter& out) { write_group_names(out, solution.scene.groups); });
 }
 
 }  // namespace viewcover

@@ -108,5 +108,31 @@ TEST(CommandLine, HelpAndVersion) {
   EXPECT_THAT(version.out, ::testing::StartsWith("viewcover "));
 }
 
+TEST(Generate, GalleriesSolveWithOneRegionWhereOneSeesAll) {
+  const ScratchFolder folder;
+  const std::string plan = folder.write("plan.txt", "0 0\n4 0\n4 3\n0 3\n").string(),
+                    scene = folder.path() / "gallery.obj";
+  const Outcome outcome =
+      viewcover_run({"generate", "gallery", plan, "--height", "2", "-o", scene});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(faces_in(scene), 6u);
+  const Outcome solved =
+      viewcover_run({"solve", scene, "--region", folder.path() / "gallery.region.json", "--regions",
+                     "4", "-o", folder.path() / "bundle"});
+  ASSERT_EQ(solved.exit_code, 0) << solved.error;
+  EXPECT_EQ(Json::parse(last_line(solved.out)).at("optimal_regions"), 1);
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--height", "0"}, {"--height", "1e-9"}}) {
+    std::vector<std::string> arguments = {"generate", "gallery", plan, "-o", scene};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome refused = viewcover_run(arguments);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.error, HasSubstr("--height"));
+  }
+  EXPECT_EQ(viewcover_run({"generate", "gallery", "-o", scene}).exit_code, 2);
+  EXPECT_EQ(
+      viewcover_run({"generate", "gallery", folder.path() / "none.txt", "-o", scene}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace viewcover::testing

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "scene/address.h"
+#include "scene/scene.h"
+
+namespace viewcover {
+
+/// The scene of a finished run and its elements, loaded again as the run loaded it.
+struct BundleScene {
+  Scene scene;
+  bool one_sided = false;
+  std::vector<ElementAddress> elements;      ///< ascending, tile every surface
+  std::vector<std::uint32_t> times_visible;  ///< regions that see each element
+};
+
+/// Reads run.json and elements.csv. `scene_file` stands in where the file named in run.json has
+/// moved; empty if it has not.
+///
+/// Errors: InputError for a folder without a finished run, a scene file that is missing or whose
+/// SHA-256 is not the one in run.json, and elements that are not those of the scene.
+BundleScene load_bundle_scene(const std::filesystem::path& folder,
+                              const std::filesystem::path& scene_file = {});
+
+/// The columns x, y, z of a CSV file, exactly the doubles that its decimals read as. Errors:
+/// InputError for a file that cannot be read, and for a coordinate that is not a finite number.
+std::vector<Point> read_positions(const std::filesystem::path& file);
+
+}  // namespace viewcover
