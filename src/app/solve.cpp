@@ -17,6 +17,7 @@
 #include "optim/cover_methods.h"
 #include "optim/stopwatch.h"
 #include "report/bundle.h"
+#include "viewpoints/viewpoint_search.h"
 #include "scene/error.h"
 
 namespace viewcover {
@@ -72,6 +73,32 @@ RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& o
   return make_cover_method(options.optimizer)->solve(instance, cover_options);
 }
 
+ViewpointSet choose_viewpoints(const ViewedScene& viewed, const RegionCover& cover,
+                               const SolveOptions& options) {
+  ViewpointProgress progress;
+  const double bound = static_cast<double>(cover.lower_bound);
+  const Progress shown(
+      "viewpoints",
+      [&] {
+        const std::size_t size = progress.viewpoints;
+        return Progress::State{
+            size == 0 ? 0 : std::max(bound, 1.0) / static_cast<double>(size),
+            size == 0 ? fmt::format("{} positions", progress.positions.load())
+                      : fmt::format("{} viewpoints, at least {}, {} positions", size,
+                                    cover.lower_bound, progress.positions.load())};
+      },
+      options.quiet);
+  ViewpointOptions viewpoint_options;
+  if (!cover.steps.empty()) viewpoint_options.chosen_regions = cover.steps.back().chosen;
+  viewpoint_options.lower_bound = cover.lower_bound;
+  viewpoint_options.seed = options.seed;
+  viewpoint_options.stop = &interrupt_flag();
+  viewpoint_options.progress = &progress;
+  return tbb::task_arena(options.threads).execute([&] {
+    return find_viewpoints(RegionViews(viewed), viewpoint_options);
+  });
+}
+
 int solve(const SolveOptions& options) {
   const Stopwatch total;
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
@@ -108,6 +135,12 @@ int solve(const SolveOptions& options) {
     const Stopwatch covering;
     const RegionCover cover = choose_regions(matrix, options);
     seconds.cover = covering.seconds();
+
+    const Stopwatch viewing;
+    const ViewpointSet viewpoints = choose_viewpoints(
+        {scene, clusters, region, links, matrix, *backend, options.one_sided}, cover, options);
+    seconds.viewpoints = viewing.seconds();
+    fmt::print("DEBUG paper {} best {} bound {} relaxation {} candidates {} positions {} missing {} s {}\n", viewpoints.paper_viewpoints, viewpoints.viewpoints.size(), cover.lower_bound, viewpoints.relaxation, viewpoints.candidates, viewpoints.positions, viewpoints.missing.size(), seconds.viewpoints);
 
     const Solution solution{scene, clusters, region, links, matrix, cover, backend->statistics()};
     bundle.write(solution);

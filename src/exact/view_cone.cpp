@@ -31,6 +31,12 @@ struct AllFreeCells {
   }
 };
 
+/// Ends at the first free cell.
+struct FirstFreeCell {
+  bool holds_anything(const DirectionCell& /*cell*/) { return true; }
+  bool on_free(const DirectionCell& /*cell*/) { return true; }
+};
+
 /// Element and occluders relative to the viewpoint, all in integers, times the viewpoint's weight.
 class ViewCone {
  public:
@@ -48,40 +54,34 @@ class ViewCone {
 
   ViewOfElement run() {
     ViewOfElement view;
-    Plane plane(element_);
-    if (sign(plane.offset) == 0) {
+    const std::optional<DirectionCell> root = find_root();
+    if (!root) {
       view.edge_on = true;
       return view;
     }
-    // All directions toward the element cross its plane to the front.
-    if (sign(plane.offset) < 0) plane.reverse();
-    std::vector<const Direction*> corners;
-    for (const auto& corner : element_) corners.push_back(pool_.add(Role::kRay, corner.x));
-    const DirectionCell root = *cone_of<3>(pool_, corners);
-    view.fully = true;
-    std::vector<Blocker<3>> blockers;
-    for (const std::span<const Point> points : occluder_points_) {
-      const Polygon polygon = relative(points);
-      const Plane occluder(polygon);
-      if (sign(occluder.offset) == 0) {
-        view.fully = view.fully && !meets_inside(root, polygon, plane);
-      } else {
-        add_blockers(polygon, occluder, plane, blockers);
-      }
-    }
+    view.fully = find_blockers(*root);
     AllFreeCells rules;
     const auto cells_before = pool_.statistics().cells;
-    Subtraction<3, AllFreeCells>(pool_, blockers, rules).run(root);
+    Subtraction<3, AllFreeCells>(pool_, blockers_, rules).run(*root);
     view.hidden_by_one = rules.cells.empty() && pool_.statistics().cells == cells_before + 1;
-    const Rational whole = projected_area(polygon_of(root, plane), plane);
+    const Rational whole = projected_area(polygon_of(*root, plane_), plane_);
     for (const DirectionCell& cell : rules.cells) {
-      RationalPolygon part = polygon_of(cell, plane);
-      view.visible_fraction += projected_area(part, plane);
+      RationalPolygon part = polygon_of(cell, plane_);
+      view.visible_fraction += projected_area(part, plane_);
       view.visible_parts.push_back(absolute(std::move(part)));
     }
     view.visible_fraction /= whole;
     view.fully = view.fully && view.visible_fraction == 1;
     return view;
+  }
+
+  bool sees_part() {
+    const std::optional<DirectionCell> root = find_root();
+    if (!root) return false;
+    find_blockers(*root);
+    FirstFreeCell rules;
+    return Subtraction<3, FirstFreeCell>(pool_, blockers_, rules).run(*root) ==
+           SubtractionOutcome::kEnded;
   }
 
  private:
@@ -100,6 +100,32 @@ class ViewCone {
     }
   }
 
+  /// All directions toward the element; none if the viewpoint lies in its plane.
+  std::optional<DirectionCell> find_root() {
+    plane_ = Plane(element_);
+    if (sign(plane_.offset) == 0) return std::nullopt;
+    // All of them cross the element's plane to the front.
+    if (sign(plane_.offset) < 0) plane_.reverse();
+    std::vector<const Direction*> corners;
+    for (const auto& corner : element_) corners.push_back(pool_.add(Role::kRay, corner.x));
+    return cone_of<3>(pool_, corners);
+  }
+
+  /// False if an occluder seen edge-on meets the interior of the cone.
+  bool find_blockers(const DirectionCell& root) {
+    bool clear = true;
+    for (const std::span<const Point> points : occluder_points_) {
+      const Polygon polygon = relative(points);
+      const Plane occluder(polygon);
+      if (sign(occluder.offset) == 0) {
+        clear = clear && !meets_inside(root, polygon, plane_);
+      } else {
+        add_blockers(polygon, occluder);
+      }
+    }
+    return clear;
+  }
+
   Polygon relative(std::span<const Point> points) const {
     Polygon result;
     for (const Point& point : points) {
@@ -111,8 +137,7 @@ class ViewCone {
 
   /// The occluder, if it can block at all: it does where a direction passes all edges on the inner
   /// side and the element lies behind the occluder's plane, seen from the viewpoint.
-  void add_blockers(const Polygon& polygon, const Plane& occluder, const Plane& plane,
-                    std::vector<Blocker<3>>& blockers) {
+  void add_blockers(const Polygon& polygon, const Plane& occluder) {
     const Sides sides = Sides::of<BigInteger>(occluder, element_);
     const int near = -sign(occluder.offset);
     if (!(near > 0 ? sides.back : sides.front)) return;
@@ -121,7 +146,7 @@ class ViewCone {
       // Where the direction d meets the element's plane, d offset / (normal . d), the occluder's
       // plane has this value, times normal . d > 0.
       behind = pool_.add(Role::kFunctional,
-                         plane.offset * occluder.normal - occluder.offset * plane.normal);
+                         plane_.offset * occluder.normal - occluder.offset * plane_.normal);
     }
     std::vector<const Direction*> edges;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -132,7 +157,7 @@ class ViewCone {
     constexpr std::size_t kMostEdges = 60;
     const std::size_t n = polygon.size();
     for (std::size_t first = 0; first < n; first += kMostEdges) {
-      Blocker<3>& blocker = blockers.emplace_back();
+      Blocker<3>& blocker = blockers_.emplace_back();
       const std::size_t last = std::min(first + kMostEdges, n);
       for (std::size_t k = first; k < last; ++k) blocker.sides.push_back({edges[k], -near});
       const auto add_diagonal = [&](std::size_t from, std::size_t to) {
@@ -220,6 +245,8 @@ class ViewCone {
   Components viewpoint_;
   BigInteger weight_;
   Polygon element_;
+  Plane plane_;
+  std::vector<Blocker<3>> blockers_;
 };
 
 }  // namespace
@@ -229,6 +256,12 @@ ViewOfElement view_element(std::span<const Point> support, std::span<const doubl
                            std::span<const std::span<const Point>> occluders,
                            ExactStatistics& statistics) {
   return ViewCone(support, weights, element, occluders, statistics).run();
+}
+
+bool sees_part(const Point& viewpoint, std::span<const Point> element,
+               std::span<const std::span<const Point>> occluders, ExactStatistics& statistics) {
+  constexpr double kWeight = 1;
+  return ViewCone({&viewpoint, 1}, {&kWeight, 1}, element, occluders, statistics).sees_part();
 }
 
 }  // namespace viewcover::exact
