@@ -14,6 +14,9 @@ namespace {
 constexpr int kSignificandBits = 53;
 /// Finer positions tell nothing: a millionth of a region.
 constexpr int kMostBits = 20;
+/// Coordinates with so many bits can be decided about in 128-bit integers (exact/view_cone.h), and
+/// what is enough to move about in a region.
+constexpr int kCheapCoordinateBits = 40, kEnoughBits = 10, kLeastBits = 6;
 
 /// The exponent of the lowest bit set.
 int lowest_exponent(double x) {
@@ -35,11 +38,14 @@ RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lat
       if (x != 0) unit = std::min(unit, lowest_exponent(x));
     }
   }
-  // All numbers in at() and differences to corners are multiples of 2^(unit - bits), below twice
+  // All numbers in nearest() that are not rounded and differences to corners are multiples of 2^(unit - bits), below twice
   // the largest coordinate.
   const double largest =
       2 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  bits_ = std::clamp(kSignificandBits - (std::ilogb(largest) + 1 - unit), 0, kMostBits);
+  const int coordinate_bits = std::ilogb(largest) + 1 - unit;
+  bits_ = std::clamp(kSignificandBits - coordinate_bits, 0, kMostBits);
+  coarse_bits_ =
+      std::min(bits_, std::clamp(kCheapCoordinateBits - coordinate_bits, kLeastBits, kEnoughBits));
 
   const Point normal = area_vector(region_).normalized();
   std::size_t farthest = 1;
@@ -50,14 +56,9 @@ RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lat
   axes_[1] = normal.cross(axes_[0]);
 }
 
-Point RegionPositions::at(std::size_t triangle, double i, double j) const {
-  const Point &a = region_[0], &b = region_[triangle + 1], &c = region_[triangle + 2];
-  const Point along_b = i * (b - a), along_c = j * (c - a);
-  const double unit = std::ldexp(1.0, -bits_);
-  return a + unit * along_b + unit * along_c;
-}
+Point RegionPositions::nearest(const Point& point) const { return nearest(point, bits_); }
 
-Point RegionPositions::nearest(const Point& point) const {
+Point RegionPositions::nearest(const Point& point, int bits) const {
   const Point normal = area_vector(region_), from_a = point - region_[0];
   // The triangle of the fan between whose edges through the first corner the point lies.
   std::size_t triangle = 0;
@@ -66,25 +67,27 @@ Point RegionPositions::nearest(const Point& point) const {
     ++triangle;
   }
   const Point b = region_[triangle + 1] - region_[0], c = region_[triangle + 2] - region_[0];
-  const double whole = b.cross(c).dot(normal), steps = std::ldexp(1.0, bits_);
+  const double whole = b.cross(c).dot(normal), steps = std::ldexp(1.0, bits);
   const double s = std::max(from_a.cross(c).dot(normal) / whole, 0.0),
                t = std::max(b.cross(from_a).dot(normal) / whole, 0.0);
   const double scale = std::max(s + t, 1.0);
   const double i = std::min(std::round(steps * (s / scale)), steps);
   const double j = std::min(std::round(steps * (t / scale)), steps - i);
-  return at(triangle, i, j);
+  return region_[0] + (i / steps) * b + (j / steps) * c;
 }
 
 Point RegionPositions::random(RandomNumbers& random) const {
   const double u = random.open_unit(), v = random.open_unit();
-  return nearest(PolygonSampler(region_).point(u, v));
+  return nearest(PolygonSampler(region_).point(u, v), coarse_bits_);
 }
 
 Point RegionPositions::near(const Point& position, double scale, RandomNumbers& random) const {
   // The sum of three uniform numbers: bell-shaped, and the same on every platform.
   const auto step = [&] { return random.unit() + random.unit() + random.unit() - 1.5; };
   const double s = scale * step(), t = scale * step();
-  return nearest(position + s * axes_[0] + t * axes_[1]);
+  // A step of 64 units at least, if there are as many bits.
+  const int bits = std::clamp(kLeastBits - std::ilogb(scale), coarse_bits_, bits_);
+  return nearest(position + s * axes_[0] + t * axes_[1], bits);
 }
 
 bool lies_in(const Point& point, std::span<const Point> polygon) {

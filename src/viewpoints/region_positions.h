@@ -8,7 +8,7 @@ namespace viewcover {
 /// The positions for viewpoints in a region: those points of the triangles of its fan whose
 /// barycentric coordinates are multiples of 2^-bits(), with bits() chosen from the corners and the
 /// extent of the scene so that every position is exact in double, and so is its difference to any
-/// corner of the scene.
+/// corner of the scene. Random positions have fewer bits, which makes exact decisions cheaper.
 ///
 /// So every position lies in the region exactly, in slanted regions too, and predicates that want
 /// exact differences (scene/plane.h) take positions as they are. A region keeps --clearance as a
@@ -25,17 +25,17 @@ class RegionPositions {
 
   /// The position nearest to a point, but for rounding; of the border, if the point is outside.
   Point nearest(const Point& point) const;
-  /// Uniform by area.
+  /// Coarse, uniform by area.
   Point random(RandomNumbers& random) const;
-  /// About `scale` times the region's extent away from a position, in each of two directions.
+  /// About `scale` times the region's extent away from a position, in each of two directions, and
+  /// no finer than that takes.
   Point near(const Point& position, double scale, RandomNumbers& random) const;
 
  private:
-  /// a + 2^-bits (i (b - a) + j (c - a)) for triangle a, b, c of the fan.
-  Point at(std::size_t triangle, double i, double j) const;
+  Point nearest(const Point& point, int bits) const;
 
   ConvexPolygon region_;
-  int bits_ = 0;
+  int bits_ = 0, coarse_bits_ = 0;
   Point axes_[2];  ///< of the region's plane, as long as its extent
 };
 
