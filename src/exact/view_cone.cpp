@@ -191,9 +191,8 @@ class ViewCone {
       if (!sides.front) return false;
       if (sides.back) polygon = cut_polygon<Number>(polygon, bound, 1);
     }
-    return std::all_of(bounds.begin(), bounds.end(), [&](const Plane& bound) {
-      return Sides::of<Number>(bound, polygon).front;
-    });
+    return std::all_of(bounds.begin(), bounds.end(),
+                       [&](const Plane& bound) { return Sides::of<Number>(bound, polygon).front; });
   }
 
   /// Where the cell's rays meet the element's plane, in order round the boundary.

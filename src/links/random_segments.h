@@ -16,8 +16,8 @@ struct SegmentOptions {
 };
 
 struct SegmentCounts {
-  int free = 0;     ///< sight lines, certain
-  int blocked = 0;  ///< blocked, or too near an occluder to tell
+  int free = 0;                         ///< sight lines, certain
+  int blocked = 0;                      ///< blocked, or too near an occluder to tell
   std::optional<SightLine> sight_line;  ///< the free one
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kElement = 0;
 constexpr int kRegion = 1;
+constexpr int kViewpoint = 2;
 
 struct Cell {
   ConvexPolygon polygon;
@@ -28,8 +29,15 @@ std::vector<Cell> cells_of(const Solution& solution) {
     for_each_bit(matrix.bits.row(row), [&](std::size_t column) { ++covered_by[column]; });
   }
 
+  // VTK wants vertices before polygons.
   std::vector<Cell> cells;
-  cells.reserve(matrix.elements.size() + solution.region.region_count());
+  if (solution.viewpoints != nullptr) {
+    for (const Viewpoint& viewpoint : solution.viewpoints->viewpoints) {
+      cells.push_back({.polygon = {viewpoint.position}, .kind = kViewpoint, .chosen = 1});
+    }
+  }
+  const std::size_t first_region = cells.size() + matrix.elements.size();
+  cells.reserve(first_region + solution.region.region_count());
   for (std::size_t i = 0; i < matrix.elements.size(); ++i) {
     const SurfaceId id = matrix.elements[i].owner();
     const Surface& surface = solution.scene[id];
@@ -44,7 +52,7 @@ std::vector<Cell> cells_of(const Solution& solution) {
     cells.push_back(
         {.polygon = solution.region.polygon(solution.region.address(i)), .kind = kRegion});
   }
-  for (const std::size_t row : solution.chosen()) cells[matrix.elements.size() + row].chosen = 1;
+  for (const std::size_t row : solution.chosen()) cells[first_region + row].chosen = 1;
   return cells;
 }
 
@@ -70,10 +78,30 @@ void write_group_names(FileWriter& out, const std::vector<std::string>& groups) 
   out << "      </Array>\n    </FieldData>\n";
 }
 
+/// `Verts` or `Polys`: cells [first, last), the corners of all cells being numbered in turn.
+void write_cells(FileWriter& out, std::string_view what, const std::vector<Cell>& cells,
+                 std::size_t first, std::size_t last) {
+  out << "      <" << what << ">\n"
+      << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < first; ++i) next += cells[i].polygon.size();
+  for (std::size_t i = first; i < last; ++i) {
+    for (std::size_t k = 0; k < cells[i].polygon.size(); ++k) out << (k > 0 ? " " : "") << next++;
+    out << '\n';
+  }
+  out << "        </DataArray>\n"
+      << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  std::size_t end = 0;
+  for (std::size_t i = first; i < last; ++i) out << (end += cells[i].polygon.size()) << '\n';
+  out << "        </DataArray>\n      </" << what << ">\n";
+}
+
 }  // namespace
 
 void write_scene_vtp(const Solution& solution, const std::filesystem::path& file) {
   const std::vector<Cell> cells = cells_of(solution);
+  const std::size_t viewpoints =
+      solution.viewpoints != nullptr ? solution.viewpoints->viewpoints.size() : 0;
   std::size_t points = 0;
   for (const Cell& cell : cells) points += cell.polygon.size();
 
@@ -82,8 +110,9 @@ void write_scene_vtp(const Solution& solution, const std::filesystem::path& file
       << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       << "  <PolyData>\n";
   write_group_names(out, solution.scene.groups);
-  out << "    <Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-      << "NumberOfStrips=\"0\" NumberOfPolys=\"" << cells.size() << "\">\n"
+  out << "    <Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"" << viewpoints
+      << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << cells.size() - viewpoints
+      << "\">\n"
       << "      <CellData Scalars=\"times_visible\">\n";
   write_array(out, "kind", cells, &Cell::kind);
   write_array(out, "times_visible", cells, &Cell::times_visible);
@@ -98,18 +127,10 @@ void write_scene_vtp(const Solution& solution, const std::filesystem::path& file
       out << corner.x() << ' ' << corner.y() << ' ' << corner.z() << '\n';
     }
   }
-  out << "        </DataArray>\n      </Points>\n      <Polys>\n"
-      << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  std::size_t next = 0;
-  for (const Cell& cell : cells) {
-    for (std::size_t i = 0; i < cell.polygon.size(); ++i) out << (i > 0 ? " " : "") << next++;
-    out << '\n';
-  }
-  out << "        </DataArray>\n"
-      << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  std::size_t end = 0;
-  for (const Cell& cell : cells) out << (end += cell.polygon.size()) << '\n';
-  out << "        </DataArray>\n      </Polys>\n    </Piece>\n  </PolyData>\n</VTKFile>\n";
+  out << "        </DataArray>\n      </Points>\n";
+  if (viewpoints > 0) write_cells(out, "Verts", cells, 0, viewpoints);
+  write_cells(out, "Polys", cells, viewpoints, cells.size());
+  out << "    </Piece>\n  </PolyData>\n</VTKFile>\n";
   out.commit();
 }
 

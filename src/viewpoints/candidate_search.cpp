@@ -18,8 +18,7 @@ constexpr std::size_t kMostCandidates = 4000;
 constexpr std::size_t kNodes = 200;
 /// Annealing runs in a round, and positions in a run.
 constexpr std::size_t kRuns = 48, kEvaluations = 40;
-/// Rounds without success before the search ends; what counts as a fall of the relaxation.
-constexpr int kPatience = 6;
+/// What counts as a fall of the relaxation.
 constexpr double kFall = 0.005;
 /// Prices come from floating point.
 constexpr double kPriceTolerance = 1e-6;
@@ -52,8 +51,7 @@ void CandidateSearch::gather() {
   std::vector<SeenPair> pairs;
   for (std::size_t column = 0; column < viewers.size(); ++column) {
     if (viewers[column] >= kFewViewers) continue;
-    const auto some =
-        pairs_of_column(views, column, options_.chosen_regions, kRegionsPerElement);
+    const auto some = pairs_of_column(views, column, options_.chosen_regions, kRegionsPerElement);
     pairs.insert(pairs.end(), some.begin(), some.end());
   }
   if (!looks_.limits().expired()) {
@@ -61,10 +59,10 @@ void CandidateSearch::gather() {
   }
 }
 
-void CandidateSearch::run(std::size_t lower_bound) {
+void CandidateSearch::run(std::size_t lower_bound, int patience) {
   double relaxation = INFINITY;
   int idle = 0, without_prices = 0;
-  while (idle < kPatience) {
+  while (idle < patience) {
     const std::size_t size = best_.size();
     cover_candidates();
     if (best_.size() <= lower_bound || looks_.limits().expired()) return;
@@ -72,7 +70,7 @@ void CandidateSearch::run(std::size_t lower_bound) {
     relaxation = std::min(relaxation, cover_.relaxation);
     idle = better ? 0 : idle + 1;
     without_prices = look_by_prices() ? 0 : without_prices + 1;
-    if (without_prices > 0 || idle > kPatience / 2) look_for_one_in_place_of_two();
+    if (without_prices > 0 || idle > patience / 2) look_for_one_in_place_of_two();
   }
 }
 
@@ -106,8 +104,8 @@ bool CandidateSearch::look_by_prices() {
   RandomNumbers random(mixed(options_.seed + jobs_));
   std::vector<AnnealingJob> jobs;
   for (std::size_t run = 0; run < kRuns; ++run) {
-    const std::size_t place = run % 2 == 0 ? run / 2 % regions.size()
-                                           : random.below(regions.size());
+    const std::size_t place =
+        run % 2 == 0 ? run / 2 % regions.size() : random.below(regions.size());
     jobs.push_back(job(regions[place].second, prices));
   }
   std::vector<Candidate> found = looks_.anneal(jobs);

@@ -15,9 +15,9 @@ class CandidateSearch {
   CandidateSearch(Looks& looks, const ViewpointOptions& options, CandidatePool& pool,
                   std::vector<Candidate> best);
 
-  /// Ends at `lower_bound` viewpoints, when nothing has helped for some rounds, or when the limits
+  /// Ends at `lower_bound` viewpoints, when `patience` rounds have not helped, or when the limits
   /// expire. May be called again. Errors: Interrupted.
-  void run(std::size_t lower_bound);
+  void run(std::size_t lower_bound, int patience);
   /// Random positions in all regions, and starts of sight lines to elements that few see.
   void gather();
   /// Adds candidates from elsewhere.

@@ -9,7 +9,7 @@ namespace viewcover {
 
 /// What seeing each column is worth; columns worth nothing need not be looked at.
 struct ColumnWeights {
-  std::vector<double> weights;       ///< one a column, >= 0
+  std::vector<double> weights;      ///< one a column, >= 0
   std::vector<BitRows::Word> mask;  ///< the columns with a weight > 0
 
   explicit ColumnWeights(std::vector<double> given)

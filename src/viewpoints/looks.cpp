@@ -37,7 +37,8 @@ std::vector<Candidate> Looks::anneal(std::span<const AnnealingJob> jobs) {
         anneal_position(views_, jobs[i].region, *jobs[i].weights, jobs[i].options);
     evaluations[i] = annealed.evaluations;
     for (const Point& record : annealed.records) {
-      if (auto candidate = look({jobs[i].region, record})) found[i].push_back(std::move(*candidate));
+      if (auto candidate = look({jobs[i].region, record}))
+        found[i].push_back(std::move(*candidate));
     }
   });
   limits_.expired();

@@ -41,7 +41,8 @@ class PaperSearch {
     if (weights.of(matrix_.bits.row(region)) == 0) return {};
     std::vector<AnnealingJob> jobs;
     for (std::size_t run = 0; run < kRuns; ++run) {
-      jobs.push_back({region, &weights, {.seed = mixed(options_.seed + mixed(turn * kRuns + run))}});
+      jobs.push_back(
+          {region, &weights, {.seed = mixed(options_.seed + mixed(turn * kRuns + run))}});
     }
     return looks_.anneal(jobs);
   }

@@ -47,12 +47,12 @@ PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t 
                      SearchLimits& limits) {
   PoolCover cover;
   cover.prices.assign(rows.columns(), 0.0);
-  cover.proved = true;
   const Reduction reduction = reduce_cover(rows);
   for (const ReductionStep& step : reduction.steps) {
     if (step.kind == ReductionStep::Kind::kTake) cover.prices[step.reason] = 1;
   }
   cover.chosen.assign(reduction.taken.begin(), reduction.taken.end());
+  cover.lower_bound = reduction.taken.size();
   for (const CoverComponent& component : reduction.components) {
     add_prices(component, limits, cover);
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
@@ -61,7 +61,7 @@ PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t 
       tree.offer(local_search(component.incidence, seed, limits));
       tree.search(most_nodes);
     }
-    cover.proved &= tree.bound() == tree.best().size();
+    cover.lower_bound += tree.bound();
     for (const std::uint32_t row : tree.best()) cover.chosen.push_back(component.rows[row]);
   }
   std::ranges::sort(cover.chosen);

@@ -11,7 +11,7 @@ namespace viewcover {
 /// Few rows of a pool that see all that the pool sees, and what columns are worth.
 struct PoolCover {
   std::vector<std::size_t> chosen;  ///< ascending
-  bool proved = false;              ///< no fewer rows of the pool do
+  std::size_t lower_bound = 0;      ///< proved: no fewer rows of the pool do
   /// Prices of columns from the linear programme of the cover: no row's columns cost more than 1
   /// together, but for rounding, and all columns as much as possible. A row from outside the pool
   /// can only help to a smaller fractional cover if its columns cost more than 1 (column

@@ -28,9 +28,8 @@ AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
   double current_benefit = -1;
   for (std::size_t i = 0; i < options.evaluations; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(options.evaluations);
-    const Point next = i == 0 ? current
-                              : positions.near(current, between(kFirstStep, kLastStep, share),
-                                               random);
+    const Point next =
+        i == 0 ? current : positions.near(current, between(kFirstStep, kLastStep, share), random);
     const double chance = random.open_unit();
     if (!views.is_free(region, next)) continue;
     std::ranges::fill(row, BitRows::Word{0});

@@ -38,8 +38,8 @@ RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lat
       if (x != 0) unit = std::min(unit, lowest_exponent(x));
     }
   }
-  // All numbers in nearest() that are not rounded and differences to corners are multiples of 2^(unit - bits), below twice
-  // the largest coordinate.
+  // All numbers in nearest() that are not rounded and differences to corners are multiples of
+  // 2^(unit - bits), below twice the largest coordinate.
   const double largest =
       2 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const int coordinate_bits = std::ilogb(largest) + 1 - unit;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "links/cull.h"
 #include "links/point_shaft.h"
 
 namespace viewcover {
@@ -25,6 +26,11 @@ RegionViews::RegionViews(const ViewedScene& viewed)
     elements_.push_back({subdivided(viewed.scene[element.owner()].polygon, element),
                          occluders_.plane(viewed.clusters.place(element.owner()))});
   }
+  leaves_.resize(viewed.clusters.size());
+  const auto nodes = viewed.clusters.nodes();
+  for (ClusterNode node = 0; node < nodes.size(); ++node) {
+    if (nodes[node].is_leaf()) leaves_[nodes[node].first] = node;
+  }
   for (std::size_t link = 0; link < viewed.links.size(); ++link) add_link(link);
   for (std::size_t region = 0; region < views_.size(); ++region) {
     View& view = views_[region];
@@ -44,8 +50,9 @@ void RegionViews::add_link(std::size_t index) {
   const Link link = viewed_.links[index];
   const auto& elements = viewed_.matrix.elements;
   const auto begin = std::lower_bound(elements.begin(), elements.end(), link.element);
-  const auto end = std::find_if_not(
-      begin, elements.end(), [&](ElementAddress address) { return link.element.contains(address); });
+  const auto end = std::find_if_not(begin, elements.end(), [&](ElementAddress address) {
+    return link.element.contains(address);
+  });
   const auto first = static_cast<std::uint32_t>(begin - elements.begin());
   const std::vector<OccluderId> list = viewed_.links.occluders(index);
   const auto stored_begin = static_cast<std::uint32_t>(stored_.size());
@@ -106,13 +113,16 @@ void RegionViews::look(std::size_t region, const Point& position, std::span<BitR
   }
 }
 
-std::span<const OccluderId> RegionViews::stored_occluders(std::size_t region,
-                                                          std::size_t column) const {
+SmallList<ShaftOccluder, 96> RegionViews::stored_occluders(std::size_t region,
+                                                           std::size_t column) const {
+  SmallList<ShaftOccluder, 96> occluders;
   const auto& partial = views_[region].partial;
   const auto found = std::ranges::lower_bound(partial, column, {}, &PartialColumn::column);
-  if (found == partial.end() || found->column != column) return {};
-  return std::span(stored_).subspan(found->occluders_begin,
-                                    found->occluders_end - found->occluders_begin);
+  if (found == partial.end() || found->column != column) return occluders;
+  for (std::size_t i = found->occluders_begin; i < found->occluders_end; ++i) {
+    occluders.push_back({.node = leaves_[stored_[i].value]});
+  }
+  return occluders;
 }
 
 std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
@@ -123,17 +133,22 @@ std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
   Shaft shaft(occluders_, address, planar, viewed_.matrix.elements[column], elements_[column],
               viewed_.one_sided);
   if (!shaft.is_facing()) return std::nullopt;
-  SmallList<ShaftOccluder, 96> left;
-  const auto nodes = viewed_.clusters.nodes();
-  const auto stored = stored_occluders(region, column);
-  for (ClusterNode node = 0; node < nodes.size() && left.size() < stored.size(); ++node) {
-    // Leaves stand in the leaf order, as stored occluders do.
-    if (nodes[node].is_leaf() && nodes[node].first == stored[left.size()].value) {
-      left.push_back({.node = node});
-    }
-  }
-  shaft.set_occluders(left);
+  const auto occluders = stored_occluders(region, column);
+  shaft.set_occluders(occluders);
   return viewed_.backend.find_sight_line(shaft);
+}
+
+bool RegionViews::cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
+                            std::size_t column) const {
+  const PlanarPolygon planar{polygon, Plane(viewed_.region.parts[cell.owner().value])};
+  Shaft shaft(occluders_, cell, planar, viewed_.matrix.elements[column], elements_[column],
+              viewed_.one_sided);
+  if (!shaft.is_facing()) return false;
+  ShaftOccluders kept;
+  if (cull(shaft, stored_occluders(region, column), kOpenAll, kept)) return false;
+  if (kept.empty()) return true;
+  shaft.set_occluders(kept);
+  return is_visible(viewed_.backend.decide(shaft, Effort::kFull));
 }
 
 }  // namespace viewcover

@@ -71,13 +71,11 @@ class RegionViews {
   /// none. Cost: a decision of the backend.
   std::optional<SightLine> find_sight_line(std::size_t region, std::size_t column) const;
 
-  const OccluderSet& occluder_set() const { return occluders_; }
-  const PlanarPolygon& element(std::size_t column) const { return elements_[column]; }
-  /// The occluders stored with the link that joins region and column; none if it is seen fully, or
-  /// not at all.
-  std::span<const OccluderId> stored_occluders(std::size_t region, std::size_t column) const;
-  bool one_sided() const { return viewed_.one_sided; }
-  const VisibilityBackend& backend() const { return viewed_.backend; }
+  /// Does a part of a region see an element? `cell`: a node below the region, or the region; with
+  /// its polygon. Asks the backend with the occluders that are stored for the region, so the answer
+  /// of an exact one is a theorem.
+  bool cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
+                 std::size_t column) const;
 
  private:
   /// Columns [first, first + count) of one surface, seen fully.
@@ -98,6 +96,8 @@ class RegionViews {
   bool is_facing(std::size_t column, const Point& position) const;
   bool sees(const PartialColumn& partial, const Point& position,
             const std::optional<ElementTarget>& target) const;
+  /// The occluders stored with the link of region and column; none if it is seen fully.
+  SmallList<ShaftOccluder, 96> stored_occluders(std::size_t region, std::size_t column) const;
 
   ViewedScene viewed_;
   OccluderSet occluders_;
@@ -105,6 +105,7 @@ class RegionViews {
   std::vector<RegionPositions> positions_;
   std::vector<View> views_;
   std::vector<OccluderId> stored_;
+  std::vector<ClusterNode> leaves_;  ///< of the cluster tree, by occluder
 };
 
 }  // namespace viewcover

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
+#include "optim/reductions.h"
 #include "viewpoints/candidate_search.h"
 #include "viewpoints/paper_search.h"
+#include "viewpoints/refined_bound.h"
 
 namespace viewcover {
 namespace {
+
+/// Rounds of the search without success before it ends.
+constexpr int kPatience = 6;
 
 CoverOptions limits_of(const ViewpointOptions& options, double time_limit_seconds) {
   CoverOptions limits;
@@ -40,11 +45,32 @@ void order_by_area(std::vector<Candidate> candidates, const VisibilityMatrix& ma
   }
 }
 
+/// Raises the lower bound and looks for fewer viewpoints where the bound points to, in turn.
+std::vector<Candidate> close_gap(Looks& looks, const ViewpointOptions& options, CandidatePool& pool,
+                                 std::vector<Candidate> best, ViewpointSet& set) {
+  constexpr int kRoundsPerSearch = 4;
+  CandidateSearch search(looks, options, pool, std::move(best));
+  const std::vector<std::uint32_t> columns = columns_without_implied(pool.rows());
+  BoundRefinement refinement(looks.views(), columns, looks.limits(), options.seed);
+  for (int round = 1; search.best().size() > set.lower_bound && refinement.refine(); ++round) {
+    set.lower_bound = std::max(set.lower_bound, refinement.lower_bound());
+    if (options.progress != nullptr) options.progress->lower_bound = set.lower_bound;
+    search.add(looks.from(refinement.middles_of_cover()));
+    if (round % kRoundsPerSearch == 0) search.run(set.lower_bound, 1);
+  }
+  if (refinement.lower_bound() > options.lower_bound) {
+    set.refined_bound = std::make_shared<const RefinedBound>(refinement.bound());
+  }
+  return search.best();
+}
+
 }  // namespace
 
 ViewpointSet find_viewpoints(const RegionViews& views, const ViewpointOptions& options) {
   ViewpointSet set;
   set.seen = BitRows(0, views.column_count());
+  set.lower_bound = options.lower_bound;
+  if (options.progress != nullptr) options.progress->lower_bound = set.lower_bound;
   SearchLimits limits(limits_of(options, options.time_limit_seconds));
   if (count_bits(views.matrix().bits.union_of_all()) == 0) return set;
 
@@ -60,11 +86,17 @@ ViewpointSet find_viewpoints(const RegionViews& views, const ViewpointOptions& o
   CandidateSearch search(looks, options, pool, std::move(paper.chosen));
   if (search.best().size() > options.lower_bound && !limits.expired()) {
     search.gather();
-    search.run(options.lower_bound);
+    search.run(options.lower_bound, kPatience);
   }
-  order_by_area(search.best(), views.matrix(), set);
+  std::vector<Candidate> best = search.best();
+  SearchLimits gap_limits(limits_of(options, options.close_gap_seconds));
+  Looks gap_looks(views, gap_limits, options.progress);
+  if (options.close_gap_seconds > 0) {
+    best = close_gap(gap_looks, options, pool, std::move(best), set);
+  }
+  order_by_area(std::move(best), views.matrix(), set);
   set.candidates = pool.size();
-  set.positions = first_looks.positions() + looks.positions();
+  set.positions = first_looks.positions() + looks.positions() + gap_looks.positions();
   set.relaxation = search.cover().relaxation;
   set.time_limit_reached = limits.has_expired();
   return set;

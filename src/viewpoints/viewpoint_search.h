@@ -2,7 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "links/bit_rows.h"
@@ -10,6 +10,8 @@
 #include "viewpoints/viewpoint.h"
 
 namespace viewcover {
+
+struct RefinedBound;
 
 /// How far a search has come, readable from another thread while it runs.
 struct ViewpointProgress {
@@ -22,7 +24,10 @@ struct ViewpointOptions {
   std::vector<std::size_t> chosen_regions;  ///< a region cover, ascending
   std::size_t lower_bound = 0;              ///< fewer viewpoints are not looked for
   std::uint64_t seed = 1;
-  double time_limit_seconds = 0;            ///< 0: none
+  double time_limit_seconds = 0;  ///< 0: none
+  /// After the search, while there are more viewpoints than lower_bound: seconds for raising the
+  /// bound and looking for fewer in turn. Requires an exact backend.
+  double close_gap_seconds = 0;
   const std::atomic<bool>* stop = nullptr;  ///< ends the search with Interrupted
   ViewpointProgress* progress = nullptr;
 };
@@ -31,12 +36,18 @@ struct ViewpointOptions {
 struct ViewpointSet {
   /// In the order in which they add most area; of equal ones, by number.
   std::vector<Viewpoint> viewpoints;
-  BitRows seen;                  ///< #viewpoints x #elements
+  BitRows seen;                         ///< #viewpoints x #elements
   std::vector<double> covered_percent;  ///< area seen by the first i + 1, of all that is visible
-  std::vector<double> seconds;   ///< into the search, when the viewpoint was first looked from
+  std::vector<double> seconds;  ///< into the search, when the viewpoint was first looked from
   /// Elements that a region sees, but none of the positions that were tried: too little is seen
   /// for positions on their lattice, or for random rays. Empty but for extreme slivers.
   std::vector<std::size_t> missing;
+
+  /// Fewer viewpoints do not see everything, if fewer regions than options.lower_bound do not and
+  /// the backend is exact.
+  std::size_t lower_bound = 0;
+  /// Why, where it was raised above options.lower_bound.
+  std::shared_ptr<const RefinedBound> refined_bound;
 
   std::size_t paper_viewpoints = 0;  ///< found by the paper's search alone
   std::size_t candidates = 0;        ///< in the pool at the end
