@@ -27,6 +27,8 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kLimitReached = 1;
 constexpr int kInterrupted = 130;
+/// Enough to close the gap in rooms, and no longer than the search before.
+constexpr std::size_t kGapRounds = 24;
 /// Where nothing is left of it: 0 would be none.
 constexpr double kLeastTimeLimit = 1e-3;
 
@@ -99,7 +101,10 @@ std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const R
     search.time_limit_seconds =
         std::max(options.time_limit_seconds - seconds_used, kLeastTimeLimit);
   }
-  search.close_gap_seconds = options.close_gap_seconds;
+  search.close_gap_seconds = options.close_gap_seconds.value_or(0);
+  if (!options.close_gap_seconds && viewed.backend.guarantee() == Guarantee::kExact) {
+    search.gap_rounds = kGapRounds;
+  }
   search.stop = &interrupt_flag();
   search.progress = &progress;
   return tbb::task_arena(options.threads).execute([&] {

@@ -72,8 +72,11 @@ void SolveText::add_to(CLI::App& command) {
          "seconds for choosing regions and viewpoints; then the best so far counts and the exit "
          "code is 1",
          "S");
-  option("--close-gap", close_gap,
-         "seconds more for raising the lower bound and finding fewer viewpoints (default: 0)", "S");
+  option(
+      "--close-gap", close_gap,
+      "seconds for raising the lower bound and finding fewer viewpoints until they meet (default: "
+      "some rounds; 0: none)",
+      "S");
   option("--lattice", lattice,
          "round coordinates to multiples of 2^-E (default: 24 bits for the largest)", "E");
   command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
@@ -115,10 +118,10 @@ SolveOptions::SolveOptions(const SolveText& text)
   find_viewpoints = text.viewpoints == "sa";
   if (!text.close_gap.empty()) {
     close_gap_seconds = non_negative_option("--close-gap", text.close_gap);
-    if (close_gap_seconds > 0 && !find_viewpoints) {
+    if (!find_viewpoints) {
       throw InputError("--close-gap", "there are no viewpoints", "use it with --viewpoints sa");
     }
-    if (close_gap_seconds > 0 && text.backend != "exact") {
+    if (text.backend != "exact") {
       throw InputError("--close-gap", "random rays prove no lower bound",
                        "use it with --backend exact");
     }
@@ -141,7 +144,7 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["one_sided"] = one_sided;
   options["clearance"] = clearance;
   options["time_limit"] = time_limit_seconds > 0 ? Json(time_limit_seconds) : Json(nullptr);
-  options["close_gap"] = close_gap_seconds;
+  options["close_gap"] = close_gap_seconds ? Json(*close_gap_seconds) : Json(nullptr);
   options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
   options["merge_coplanar"] = merge_coplanar;
   options["allow_outside"] = allow_outside;

@@ -39,8 +39,8 @@ struct SolveOptions {
   bool one_sided = false;
   double clearance = 0;
   bool find_viewpoints = true;
-  double time_limit_seconds = 0;  ///< 0: none
-  double close_gap_seconds = 0;
+  double time_limit_seconds = 0;            ///< 0: none
+  std::optional<double> close_gap_seconds;  ///< default: some rounds
   std::optional<int> lattice_exponent;
   bool merge_coplanar = false;
   bool allow_outside = false;

@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "optim/check_cover_proof.h"
 #include "optim/cover_file.h"
+#include "report/csv_table.h"
+#include "report/viewpoint_check.h"
 #include "scene/error.h"
 
 namespace viewcover {
@@ -21,86 +19,6 @@ using Json = nlohmann::ordered_json;
 
 /// Sums of up to 10^9 terms in another order, and a text with 17 digits.
 constexpr double kRelativeRounding = 1e-6;
-
-std::ifstream open(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(file.string(), "cannot be read", "give the folder of a finished run");
-  return stream;
-}
-
-/// A CSV file; fields may be quoted.
-class Table {
- public:
-  explicit Table(const std::filesystem::path& file) : file_(file.string()) {
-    std::ifstream stream = open(file);
-    std::string line;
-    while (read_record(stream, line)) {
-      (titles_.empty() ? titles_ : rows_.emplace_back()) = fields(line);
-    }
-  }
-
-  std::size_t size() const { return rows_.size(); }
-  const std::string& text(std::size_t row, std::string_view title) const {
-    const auto place =
-        static_cast<std::size_t>(std::ranges::find(titles_, title) - titles_.begin());
-    if (place >= rows_[row].size()) {
-      throw InputError(InputError::at_line(file_, row + 2), "has no " + std::string(title), "");
-    }
-    return rows_[row][place];
-  }
-  double number(std::size_t row, std::string_view title) const {
-    return read_number<double>(row, text(row, title));
-  }
-  std::vector<std::size_t> numbers(std::size_t row, std::string_view title) const {
-    std::vector<std::size_t> all;
-    const std::string& words = text(row, title);
-    for (std::size_t begin = 0; begin < words.size();) {
-      const std::size_t end = std::min(words.find(' ', begin), words.size());
-      all.push_back(read_number<std::size_t>(row, words.substr(begin, end - begin)));
-      begin = end + 1;
-    }
-    return all;
-  }
-
- private:
-  template <class Number>
-  Number read_number(std::size_t row, const std::string& word) const {
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      throw InputError(InputError::at_line(file_, row + 2), "\"" + word + "\" is no number", "");
-    }
-    return value;
-  }
-  /// Line breaks may be quoted.
-  static bool read_record(std::istream& stream, std::string& record) {
-    if (!std::getline(stream, record)) return false;
-    std::string more;
-    while (std::ranges::count(record, '"') % 2 == 1 && std::getline(stream, more)) {
-      record += "\n" + more;
-    }
-    return true;
-  }
-  static std::vector<std::string> fields(const std::string& record) {
-    std::vector<std::string> result(1);
-    bool quoted = false;
-    for (const char c : record) {
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (c == ',' && !quoted) {
-        result.emplace_back();
-      } else {
-        result.back() += c;
-      }
-    }
-    return result;
-  }
-
-  std::string file_;
-  std::vector<std::string> titles_;
-  std::vector<std::vector<std::string>> rows_;
-};
 
 class BundleChecker {
  public:
@@ -118,12 +36,17 @@ class BundleChecker {
     check_cover();
     check_regions();
     check_bound();
+    const Json results = record_.value("results", Json::object());
+    if (results.contains("viewpoints")) {
+      std::vector<BundleClaim> more = check_viewpoints(folder_, results, bits_, areas_);
+      std::ranges::move(more, std::back_inserter(claims_));
+    }
     return std::move(claims_);
   }
 
  private:
   static Json read_record(const std::filesystem::path& file) {
-    std::ifstream stream = open(file);
+    std::ifstream stream = open_for_check(file);
     Json record = Json::parse(stream, nullptr, false);
     if (!record.is_object()) throw InputError(file.string(), "is no JSON object", "");
     return record;
@@ -135,7 +58,7 @@ class BundleChecker {
   }
 
   void check_elements() {
-    const Table elements(folder_ / "elements.csv");
+    const CsvTable elements(folder_ / "elements.csv");
     std::string wrong;
     if (elements.size() != bits_.columns()) {
       wrong = fmt::format("{} elements, but {} columns", elements.size(), bits_.columns());
@@ -156,7 +79,7 @@ class BundleChecker {
   }
 
   void check_cover() {
-    const Table cover(folder_ / "cover.csv");
+    const CsvTable cover(folder_ / "cover.csv");
     std::string wrong;
     if (areas_.size() != bits_.columns()) wrong = "not all areas are known";
     for (std::size_t i = 0; i < cover.size() && wrong.empty(); ++i) {
@@ -190,7 +113,7 @@ class BundleChecker {
   }
 
   void check_regions() {
-    const Table regions(folder_ / "regions.csv");
+    const CsvTable regions(folder_ / "regions.csv");
     std::string wrong;
     if (regions.size() != bits_.rows()) {
       wrong = fmt::format("{} regions, but {} rows", regions.size(), bits_.rows());
@@ -220,7 +143,7 @@ class BundleChecker {
     claim("run.json agrees with cover.csv", wrong);
     const std::filesystem::path file = folder_ / "cover.proof";
     if (!std::filesystem::exists(file)) return;
-    std::ifstream proof = open(file);
+    std::ifstream proof = open_for_check(file);
     const CoverProofVerdict verdict = check_cover_proof(bits_, proof);
     claim(fmt::format("cover.proof proves that no {} regions see everything", bound - (bound > 0)),
           !verdict.holds ? fmt::format("line {}: {}", verdict.line, verdict.reason)

@@ -48,11 +48,13 @@ void order_by_area(std::vector<Candidate> candidates, const VisibilityMatrix& ma
 /// Raises the lower bound and looks for fewer viewpoints where the bound points to, in turn.
 std::vector<Candidate> close_gap(Looks& looks, const ViewpointOptions& options, CandidatePool& pool,
                                  std::vector<Candidate> best, ViewpointSet& set) {
-  constexpr int kRoundsPerSearch = 4;
+  constexpr std::size_t kRoundsPerSearch = 4;
   CandidateSearch search(looks, options, pool, std::move(best));
   const std::vector<std::uint32_t> columns = columns_without_implied(pool.rows());
   BoundRefinement refinement(looks.views(), columns, looks.limits(), options.seed);
-  for (int round = 1; search.best().size() > set.lower_bound && refinement.refine(); ++round) {
+  for (std::size_t round = 1; search.best().size() > set.lower_bound; ++round) {
+    if (options.close_gap_seconds == 0 && round > options.gap_rounds) break;
+    if (!refinement.refine()) break;
     set.lower_bound = std::max(set.lower_bound, refinement.lower_bound());
     if (options.progress != nullptr) options.progress->lower_bound = set.lower_bound;
     search.add(looks.from(refinement.middles_of_cover()));
@@ -90,8 +92,8 @@ ViewpointSet find_viewpoints(const RegionViews& views, const ViewpointOptions& o
   }
   std::vector<Candidate> best = search.best();
   SearchLimits gap_limits(limits_of(options, options.close_gap_seconds));
-  Looks gap_looks(views, gap_limits, options.progress);
-  if (options.close_gap_seconds > 0) {
+  Looks gap_looks(views, options.close_gap_seconds > 0 ? gap_limits : limits, options.progress);
+  if (options.close_gap_seconds > 0 || options.gap_rounds > 0) {
     best = close_gap(gap_looks, options, pool, std::move(best), set);
   }
   order_by_area(std::move(best), views.matrix(), set);

@@ -25,8 +25,10 @@ struct ViewpointOptions {
   std::size_t lower_bound = 0;              ///< fewer viewpoints are not looked for
   std::uint64_t seed = 1;
   double time_limit_seconds = 0;  ///< 0: none
-  /// After the search, while there are more viewpoints than lower_bound: seconds for raising the
-  /// bound and looking for fewer in turn. Requires an exact backend.
+  /// After the search, while there are more viewpoints than lower_bound: rounds of raising the
+  /// bound and looking for fewer in turn, so many at most or, if seconds are given, for so long.
+  /// Requires an exact backend.
+  std::size_t gap_rounds = 0;
   double close_gap_seconds = 0;
   const std::atomic<bool>* stop = nullptr;  ///< ends the search with Interrupted
   ViewpointProgress* progress = nullptr;
