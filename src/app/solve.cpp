@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -18,6 +19,7 @@
 #include "optim/stopwatch.h"
 #include "report/bundle.h"
 #include "scene/error.h"
+#include "viewpoints/viewpoint_search.h"
 
 namespace viewcover {
 namespace {
@@ -25,6 +27,10 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kLimitReached = 1;
 constexpr int kInterrupted = 130;
+/// Enough to close the gap in rooms, and no longer than the search before.
+constexpr std::size_t kGapRounds = 24;
+/// Where nothing is left of it: 0 would be none.
+constexpr double kLeastTimeLimit = 1e-3;
 
 void stop_if_interrupted() {
   if (interrupt_flag()) throw Interrupted();
@@ -72,6 +78,51 @@ RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& o
   return make_cover_method(options.optimizer)->solve(instance, cover_options);
 }
 
+std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const RegionCover& cover,
+                                              double seconds_used, const SolveOptions& options) {
+  if (!options.find_viewpoints) return std::nullopt;
+  ViewpointProgress progress;
+  const Progress shown(
+      "viewpoints",
+      [&] {
+        const std::size_t size = progress.viewpoints, bound = progress.lower_bound;
+        std::string detail = fmt::format("{} positions", progress.positions.load());
+        if (size > 0) detail = fmt::format("{} viewpoints, at least {}, ", size, bound) + detail;
+        const double share =
+            size > 0 ? static_cast<double>(bound) / static_cast<double>(size) : 0.0;
+        return Progress::State{std::min(share, 1.0), std::move(detail)};
+      },
+      options.quiet);
+  ViewpointOptions search;
+  if (!cover.steps.empty()) search.chosen_regions = cover.steps.back().chosen;
+  search.lower_bound = cover.lower_bound;
+  search.seed = options.seed;
+  if (options.time_limit_seconds > 0) {
+    search.time_limit_seconds =
+        std::max(options.time_limit_seconds - seconds_used, kLeastTimeLimit);
+  }
+  search.close_gap_seconds = options.close_gap_seconds.value_or(0);
+  if (!options.close_gap_seconds && viewed.backend.guarantee() == Guarantee::kExact) {
+    search.gap_rounds = kGapRounds;
+  }
+  search.stop = &interrupt_flag();
+  search.progress = &progress;
+  return tbb::task_arena(options.threads).execute([&] {
+    return find_viewpoints(RegionViews(viewed), search);
+  });
+}
+
+/// The exit code; says what is missing.
+int end_of(const Solution& solution, const SolveOptions& options) {
+  const std::size_t missing =
+      solution.viewpoints != nullptr ? solution.viewpoints->missing.size() : 0;
+  if (missing > 0 && !options.quiet) {
+    print_error_line(fmt::format(
+        "{} elements that a region sees are seen from none of the viewpoints", missing));
+  }
+  return solution.time_limit_reached() || missing > 0 ? kLimitReached : kDone;
+}
+
 int solve(const SolveOptions& options) {
   const Stopwatch total;
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
@@ -109,16 +160,30 @@ int solve(const SolveOptions& options) {
     const RegionCover cover = choose_regions(matrix, options);
     seconds.cover = covering.seconds();
 
-    const Solution solution{scene, clusters, region, links, matrix, cover, backend->statistics()};
+    const Stopwatch viewing;
+    const std::optional<ViewpointSet> viewpoints =
+        choose_viewpoints({scene, clusters, region, links, matrix, *backend, options.one_sided},
+                          cover, seconds.cover, options);
+    if (viewpoints) seconds.viewpoints = viewing.seconds();
+    stop_if_interrupted();
+
+    const Solution solution{scene,
+                            clusters,
+                            region,
+                            links,
+                            matrix,
+                            cover,
+                            backend->statistics(),
+                            viewpoints ? &*viewpoints : nullptr};
     bundle.write(solution);
     stop_if_interrupted();
     seconds.total = total.seconds();
-    bundle.complete(solution, seconds);
-    if (!options.quiet) print_out(solve_tables(solution, seconds) + "\n");
+    bundle.complete(solution, backend->guarantee(), seconds);
+    if (!options.quiet) print_out(solve_tables(solution, backend->guarantee(), seconds) + "\n");
     print_out(summary_line(solution, backend->name(), backend->guarantee(), seconds)
                   .dump(-1, ' ', false, Json::error_handler_t::replace) +
               "\n");
-    return cover.time_limit_reached ? kLimitReached : kDone;
+    return end_of(solution, options);
   } catch (const Interrupted&) {
     // It has said so from the beginning; the reason is a courtesy that a full disk may prevent.
     try {
@@ -135,8 +200,8 @@ int solve(const SolveOptions& options) {
 
 void add_solve_command(CLI::App& app, int& exit_code) {
   const auto text = std::make_shared<SolveText>();
-  CLI::App* const command =
-      app.add_subcommand("solve", "find the fewest viewing regions that see all that is visible");
+  CLI::App* const command = app.add_subcommand(
+      "solve", "find the fewest viewing regions and viewpoints that see all that is visible");
   text->add_to(*command);
   command->callback([text, &exit_code] { exit_code = solve(SolveOptions(*text)); });
 }

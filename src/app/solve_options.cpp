@@ -33,7 +33,7 @@ void refuse_what_is_not_here(const SolveText& text) {
   require_available("--backend", text.backend, names_of(backends()));
   require_available("--optimizer", text.optimizer, names_of(cover_methods()));
   require_available("--sampling", text.sampling, std::array{"plain"sv, "stratified"sv});
-  require_available("--viewpoints", text.viewpoints, std::array{"none"sv});
+  require_available("--viewpoints", text.viewpoints, std::array{"sa"sv, "none"sv});
   require_available("--coverage", text.coverage, std::array{"elements"sv});
   if (text.resume) throw InputError("--resume", "not in this version", "start the run anew");
 }
@@ -61,13 +61,19 @@ void SolveText::add_to(CLI::App& command) {
          "box faces)",
          "A");
   option("--optimizer", optimizer, "how regions are chosen: " + optimizer_names, "NAME");
-  option("--viewpoints", viewpoints, "viewpoint search: none", "NAME");
+  option("--viewpoints", viewpoints, "viewpoint search: sa (default) or none", "NAME");
   option("--coverage", coverage, "what a viewpoint must see: elements", "KIND");
   command.add_flag("--one-sided", one_sided, "only the front of a surface counts as visible");
   option("--clearance", clearance, "least distance of a camera from any surface (default: 0)", "D");
   option("--time-limit", time_limit,
-         "seconds for choosing regions; then the rest is chosen greedily and the exit code is 1",
+         "seconds for choosing regions and viewpoints; then the best so far counts and the exit "
+         "code is 1",
          "S");
+  option(
+      "--close-gap", close_gap,
+      "seconds for raising the lower bound and finding fewer viewpoints until they meet (default: "
+      "some rounds; 0: none)",
+      "S");
   option("--lattice", lattice,
          "round coordinates to multiples of 2^-E (default: 24 bits for the largest)", "E");
   command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
@@ -103,6 +109,17 @@ SolveOptions::SolveOptions(const SolveText& text)
   if (!text.time_limit.empty()) {
     time_limit_seconds = positive_option("--time-limit", text.time_limit);
   }
+  find_viewpoints = text.viewpoints == "sa";
+  if (!text.close_gap.empty()) {
+    close_gap_seconds = non_negative_option("--close-gap", text.close_gap);
+    if (!find_viewpoints) {
+      throw InputError("--close-gap", "there are no viewpoints", "use it with --viewpoints sa");
+    }
+    if (text.backend != "exact") {
+      throw InputError("--close-gap", "random rays prove no lower bound",
+                       "use it with --backend exact");
+    }
+  }
   if (!text.lattice.empty()) {
     lattice_exponent =
         integer_option("--lattice", text.lattice, -kMostLatticeExponent, kMostLatticeExponent);
@@ -117,10 +134,11 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["regions"] = regions_per_part;
   options["element_area"] = used_element_area;
   options["optimizer"] = optimizer;
-  options["viewpoints"] = "none";
+  options["viewpoints"] = find_viewpoints ? "sa" : "none";
   options["one_sided"] = one_sided;
   options["clearance"] = clearance;
   options["time_limit"] = time_limit_seconds > 0 ? Json(time_limit_seconds) : Json(nullptr);
+  options["close_gap"] = close_gap_seconds ? Json(*close_gap_seconds) : Json(nullptr);
   options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
   options["merge_coplanar"] = merge_coplanar;
   options["allow_outside"] = allow_outside;

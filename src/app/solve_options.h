@@ -17,8 +17,8 @@ struct SolveText {
   std::string scene_file, region_file, output;
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
-  std::string optimizer, viewpoints = "none", coverage = "elements";
-  std::string clearance = "0", time_limit, lattice;
+  std::string optimizer, viewpoints = "sa", coverage = "elements";
+  std::string clearance = "0", time_limit, close_gap, lattice;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
 
   /// Adds the options to the command.
@@ -38,7 +38,9 @@ struct SolveOptions {
   std::string optimizer;
   bool one_sided = false;
   double clearance = 0;
-  double time_limit_seconds = 0;  ///< 0: none
+  bool find_viewpoints = true;
+  double time_limit_seconds = 0;            ///< 0: none
+  std::optional<double> close_gap_seconds;  ///< default: some rounds
   std::optional<int> lattice_exponent;
   bool merge_coplanar = false;
   bool allow_outside = false;

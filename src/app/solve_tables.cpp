@@ -2,11 +2,37 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "report/machine.h"
 
 namespace viewcover {
 
-std::string solve_tables(const Solution& solution, const RunSeconds& seconds) {
+namespace {
+
+std::string viewpoint_tables(const ViewpointSet& set, std::size_t regions, Guarantee guarantee,
+                             double seconds) {
+  std::string text =
+      fmt::format("\n{:>10} {:>16} {:>14}\n", "viewpoints", "percent", "found at (s)");
+  for (std::size_t i = 0; i < set.viewpoints.size(); ++i) {
+    text +=
+        fmt::format("{:>10} {:>16.4f} {:>14.3f}\n", i + 1, set.covered_percent[i], set.seconds[i]);
+  }
+  text += fmt::format("\n{:>10} {:>16} {:>14} {:>10} {:>16}\n", "regions", "viewpoints",
+                      "lower bound", "gap", "search (s)");
+  const bool proved = guarantee == Guarantee::kExact;
+  text += fmt::format("{:>10} {:>16} {:>14} {:>10} {:>16.3f}\n", regions, set.viewpoints.size(),
+                      proved ? std::to_string(set.lower_bound) : "none",
+                      proved ? std::to_string(set.viewpoints.size() -
+                                              std::min(set.lower_bound, set.viewpoints.size()))
+                             : "",
+                      seconds);
+  return text;
+}
+
+}  // namespace
+
+std::string solve_tables(const Solution& solution, Guarantee guarantee, const RunSeconds& seconds) {
   std::string text =
       fmt::format("{:>10} {:>16} {:>10} {:>16} {:>18} {:>12}\n", "elements", "visibility (s)",
                   "links", "optimal regions", "optimization (s)", "memory (kb)");
@@ -18,6 +44,10 @@ std::string solve_tables(const Solution& solution, const RunSeconds& seconds) {
   for (const CoverStep& step : solution.cover.steps) {
     text += fmt::format("{:>10} {:>16.4f} {:>22} {:>14.3f}\n", step.k, step.covered_percent,
                         step.evaluations, step.seconds);
+  }
+  if (solution.viewpoints != nullptr) {
+    text += viewpoint_tables(*solution.viewpoints, solution.cover.size(), guarantee,
+                             seconds.viewpoints);
   }
   return text;
 }

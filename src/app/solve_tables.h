@@ -6,8 +6,9 @@
 
 namespace viewcover {
 
-/// What `solve` prints for people: the columns of the paper's table 1 for this run and of its
-/// table 2 for each number of regions.
-std::string solve_tables(const Solution& solution, const RunSeconds& seconds);
+/// What `solve` prints for people: the columns of the paper's table 1 for this run, of its table 2
+/// for each number of regions and of its table 3 for each viewpoint, and how many viewpoints there
+/// are at least.
+std::string solve_tables(const Solution& solution, Guarantee guarantee, const RunSeconds& seconds);
 
 }  // namespace viewcover

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "links/shaft.h"
+#include "links/random_segments.h"
 #include "links/visibility_backend.h"
 
 namespace viewcover {
@@ -26,8 +26,14 @@ class RayBackend final : public VisibilityBackend {
   std::string_view name() const override { return "rays"; }
   Guarantee guarantee() const override { return Guarantee::kVisibleIsCertain; }
   Verdict decide(const Shaft& shaft, Effort effort) const override;
+  bool sees_part(const PointShaft& shaft) const override;
+  std::optional<SightLine> find_sight_line(const Shaft& shaft) const override;
 
  private:
+  SegmentOptions segments() const {
+    return {.most = options_.rays, .seed = options_.seed, .stratified = options_.stratified};
+  }
+
   RayOptions options_;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "exact/sight_decision.h"
+#include "exact/view_cone.h"
 #include "exact/witness_search.h"
 #include "links/random_segments.h"
 
@@ -14,17 +15,27 @@ namespace {
 constexpr int kSegments = 16;
 // Cells that a shaft may cost that will be subdivided anyway: hidden once is hidden for all parts.
 constexpr std::uint64_t kCheapCells = 1000;
+// From a viewpoint a decision costs less.
+constexpr int kSegmentsFromPoint = 8;
+
+using Surfaces = SmallList<std::span<const Point>, 96>;
+
+/// The surfaces left in a shaft, without clusters that were not opened.
+Surfaces surfaces_in(const Shaft& shaft) {
+  const auto nodes = shaft.occluder_set().clusters().nodes();
+  Surfaces surfaces;
+  for (const ShaftOccluder& occluder : shaft.occluders()) {
+    const ClusterTree::Node& node = nodes[occluder.node];
+    if (node.is_leaf()) surfaces.push_back(shaft.occluder_set().polygon(OccluderId(node.first)));
+  }
+  return surfaces;
+}
 
 }  // namespace
 
 Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
   const SegmentCounts segments = try_random_segments(shaft, {.most = kSegments, .seed = seed_});
-  const auto nodes = shaft.occluder_set().clusters().nodes();
-  SmallList<std::span<const Point>, 96> surfaces;
-  for (const ShaftOccluder& occluder : shaft.occluders()) {
-    const ClusterTree::Node& node = nodes[occluder.node];
-    if (node.is_leaf()) surfaces.push_back(shaft.occluder_set().polygon(OccluderId(node.first)));
-  }
+  const Surfaces surfaces = surfaces_in(shaft);
   const bool all_open = surfaces.size() == shaft.occluders().size();
   if (segments.free > 0) {
     add(kDecidedByRandomSegment);
@@ -51,6 +62,42 @@ Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
         add(confirmed ? kWitnessesConfirmed : kWitnessesNotFound);
       });
   add(verdict == Verdict::kAssumedVisible ? kLeftOpen : kDecidedByCells);
+  add(statistics);
+  return verdict;
+}
+
+bool ExactBackend::sees_part(const PointShaft& shaft) const {
+  if (shaft.occluders().empty()) return true;
+  if (try_random_segments(shaft, {.most = kSegmentsFromPoint, .seed = seed_}).free > 0) {
+    add(kSeenByRandomSegment);
+    return true;
+  }
+  Surfaces surfaces;
+  for (const OccluderId occluder : shaft.occluders()) {
+    surfaces.push_back(shaft.occluder_set().polygon(occluder));
+  }
+  ExactStatistics statistics;
+  const bool seen =
+      exact::sees_part(shaft.viewpoint(), shaft.element().polygon, surfaces, statistics);
+  add(kSeenOrNotByCells);
+  add(statistics);
+  return seen;
+}
+
+std::optional<SightLine> ExactBackend::find_sight_line(const Shaft& shaft) const {
+  const SegmentCounts segments = try_random_segments(shaft, {.most = kSegments, .seed = seed_});
+  if (segments.sight_line) return segments.sight_line;
+  const Surfaces surfaces = surfaces_in(shaft);
+  const ShaftPolygons polygons{shaft.region().polygon, shaft.element().polygon, surfaces,
+                               shaft.one_sided()};
+  const SightAnswer answer = exact::decide_shaft(polygons);
+  add(answer.statistics);
+  if (!answer.witness) return std::nullopt;
+  return SightLine{weighted_point(polygons.region, answer.witness->region_weights),
+                   weighted_point(polygons.element, answer.witness->element_weights)};
+}
+
+void ExactBackend::add(const ExactStatistics& statistics) const {
   add(kSingleSigns, statistics.single_signs);
   add(kFilteredSigns, statistics.filtered_signs);
   add(kFixedWidthSigns, statistics.fixed_width_signs);
@@ -58,7 +105,6 @@ Verdict ExactBackend::decide(const Shaft& shaft, Effort effort) const {
   add(kBigIntegerSigns, statistics.big_integer_signs);
   add(kCells, statistics.cells);
   add(kSplits, statistics.splits);
-  return verdict;
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> ExactBackend::statistics() const {
@@ -67,6 +113,8 @@ std::vector<std::pair<std::string, std::uint64_t>> ExactBackend::statistics() co
                                                            "left_open",
                                                            "witnesses_confirmed",
                                                            "witnesses_not_found",
+                                                           "seen_by_random_segment",
+                                                           "seen_or_not_by_cells",
                                                            "single_signs",
                                                            "filtered_signs",
                                                            "fixed_width_signs",

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "exact/statistics.h"
 #include "links/shaft.h"
 #include "links/visibility_backend.h"
 
@@ -24,6 +25,8 @@ class ExactBackend final : public VisibilityBackend {
   std::string_view name() const override { return "exact"; }
   Guarantee guarantee() const override { return Guarantee::kExact; }
   Verdict decide(const Shaft& shaft, Effort effort) const override;
+  bool sees_part(const PointShaft& shaft) const override;
+  std::optional<SightLine> find_sight_line(const Shaft& shaft) const override;
   std::vector<std::pair<std::string, std::uint64_t>> statistics() const override;
 
  private:
@@ -33,6 +36,8 @@ class ExactBackend final : public VisibilityBackend {
     kLeftOpen,
     kWitnessesConfirmed,
     kWitnessesNotFound,
+    kSeenByRandomSegment,
+    kSeenOrNotByCells,
     kSingleSigns,
     kFilteredSigns,
     kFixedWidthSigns,
@@ -45,6 +50,7 @@ class ExactBackend final : public VisibilityBackend {
   void add(Count what, std::uint64_t count = 1) const {
     counts_[what].fetch_add(count, std::memory_order_relaxed);
   }
+  void add(const ExactStatistics& statistics) const;
 
   std::uint64_t seed_;
   mutable std::array<std::atomic<std::uint64_t>, kCountKinds> counts_{};

@@ -166,6 +166,7 @@ struct IntegerPlane {
   Vector3<Number> normal;
   Number offset = Number(0);
 
+  IntegerPlane() = default;
   /// The plane of a strictly convex polygon, in front where its corners run counter-clockwise.
   explicit IntegerPlane(std::span<const HomogeneousPoint<Number>> polygon) {
     normal = cross(polygon[1].x - polygon[0].x, polygon[2].x - polygon[0].x);

@@ -13,10 +13,6 @@ using Rational = CGAL::Gmpq;
 using Direction = LazyVector<3>;
 using DirectionPool = VectorPool<3>;
 using DirectionCell = Cell<3>;
-using Components = std::array<BigInteger, 3>;
-using Plane = IntegerPlane<BigInteger>;
-using Polygon = std::vector<HomogeneousPoint<BigInteger>>;
-
 Rational fraction(const BigInteger& numerator, const BigInteger& denominator) {
   return Rational(numerator, denominator);
 }
@@ -31,8 +27,20 @@ struct AllFreeCells {
   }
 };
 
+/// Ends at the first free cell.
+struct FirstFreeCell {
+  bool holds_anything(const DirectionCell& /*cell*/) { return true; }
+  bool on_free(const DirectionCell& /*cell*/) { return true; }
+};
+
 /// Element and occluders relative to the viewpoint, all in integers, times the viewpoint's weight.
+/// Number is BigInteger, or CheckedWide to find out if anything is seen.
+template <class Number>
 class ViewCone {
+  using Components = std::array<Number, 3>;
+  using Plane = IntegerPlane<Number>;
+  using Polygon = std::vector<HomogeneousPoint<Number>>;
+
  public:
   ViewCone(std::span<const Point> support, std::span<const double> weights,
            std::span<const Point> element, std::span<const std::span<const Point>> occluders,
@@ -42,46 +50,41 @@ class ViewCone {
     frame_.include(element);
     for (const std::span<const Point> occluder : occluders) frame_.include(occluder);
     frame_.set_origin(element[0]);
+    if (std::is_same_v<Number, CheckedWide> && !frame_.is_narrow()) throw CheckedWide::Overflow();
     locate(support, weights);
     element_ = relative(element);
   }
 
   ViewOfElement run() {
     ViewOfElement view;
-    Plane plane(element_);
-    if (sign(plane.offset) == 0) {
+    const std::optional<DirectionCell> root = find_root();
+    if (!root) {
       view.edge_on = true;
       return view;
     }
-    // All directions toward the element cross its plane to the front.
-    if (sign(plane.offset) < 0) plane.reverse();
-    std::vector<const Direction*> corners;
-    for (const auto& corner : element_) corners.push_back(pool_.add(Role::kRay, corner.x));
-    const DirectionCell root = *cone_of<3>(pool_, corners);
-    view.fully = true;
-    std::vector<Blocker<3>> blockers;
-    for (const std::span<const Point> points : occluder_points_) {
-      const Polygon polygon = relative(points);
-      const Plane occluder(polygon);
-      if (sign(occluder.offset) == 0) {
-        view.fully = view.fully && !meets_inside(root, polygon, plane);
-      } else {
-        add_blockers(polygon, occluder, plane, blockers);
-      }
-    }
+    view.fully = !find_blockers_and_edge_on(*root);
     AllFreeCells rules;
     const auto cells_before = pool_.statistics().cells;
-    Subtraction<3, AllFreeCells>(pool_, blockers, rules).run(root);
+    Subtraction<3, AllFreeCells>(pool_, blockers_, rules).run(*root);
     view.hidden_by_one = rules.cells.empty() && pool_.statistics().cells == cells_before + 1;
-    const Rational whole = projected_area(polygon_of(root, plane), plane);
+    const Rational whole = projected_area(polygon_of(*root, plane_), plane_);
     for (const DirectionCell& cell : rules.cells) {
-      RationalPolygon part = polygon_of(cell, plane);
-      view.visible_fraction += projected_area(part, plane);
+      RationalPolygon part = polygon_of(cell, plane_);
+      view.visible_fraction += projected_area(part, plane_);
       view.visible_parts.push_back(absolute(std::move(part)));
     }
     view.visible_fraction /= whole;
     view.fully = view.fully && view.visible_fraction == 1;
     return view;
+  }
+
+  bool sees_part() {
+    const std::optional<DirectionCell> root = find_root();
+    if (!root) return false;
+    for (const std::span<const Point> points : occluder_points_) add_blockers(relative(points));
+    FirstFreeCell rules;
+    return Subtraction<3, FirstFreeCell>(pool_, blockers_, rules).run(*root) ==
+           SubtractionOutcome::kEnded;
   }
 
  private:
@@ -90,38 +93,62 @@ class ViewCone {
     std::vector<Point> weight_points;
     for (const double weight : weights) weight_points.emplace_back(weight, 0, 0);
     weight_frame.include(weight_points);
-    viewpoint_ = {BigInteger(0), BigInteger(0), BigInteger(0)};
-    weight_ = BigInteger(0);
+    viewpoint_ = {Number(0), Number(0), Number(0)};
+    weight_ = Number(0);
     for (std::size_t i = 0; i < support.size(); ++i) {
-      const BigInteger weight = weight_frame.operator()<BigInteger>(weight_points[i])[0];
-      const auto point = frame_.operator()<BigInteger>(support[i]);
-      for (std::size_t k = 0; k < 3; ++k) viewpoint_[k] += weight * point[k];
-      weight_ += weight;
+      const Number weight = weight_frame.template operator()<Number>(weight_points[i])[0];
+      const auto point = frame_.template operator()<Number>(support[i]);
+      for (std::size_t k = 0; k < 3; ++k) viewpoint_[k] = viewpoint_[k] + weight * point[k];
+      weight_ = weight_ + weight;
     }
+  }
+
+  /// All directions toward the element; none if the viewpoint lies in its plane.
+  std::optional<DirectionCell> find_root() {
+    plane_ = Plane(element_);
+    if (sign(plane_.offset) == 0) return std::nullopt;
+    // All of them cross the element's plane to the front.
+    if (sign(plane_.offset) < 0) plane_.reverse();
+    std::vector<const Direction*> corners;
+    for (const auto& corner : element_) corners.push_back(pool_.add(Role::kRay, corner.x));
+    return cone_of<3>(pool_, corners);
+  }
+
+  /// True if an occluder seen edge-on meets the interior of the cone.
+  bool find_blockers_and_edge_on(const DirectionCell& root) {
+    bool any_inside = false;
+    for (const std::span<const Point> points : occluder_points_) {
+      const Polygon polygon = relative(points);
+      const bool edge_on = !add_blockers(polygon);
+      any_inside = any_inside || (edge_on && meets_inside(root, polygon));
+    }
+    return any_inside;
   }
 
   Polygon relative(std::span<const Point> points) const {
     Polygon result;
     for (const Point& point : points) {
-      const auto x = frame_.operator()<BigInteger>(point);
-      result.push_back({weight_ * x - viewpoint_, BigInteger(1)});
+      const auto x = frame_.template operator()<Number>(point);
+      result.push_back({weight_ * x - viewpoint_, Number(1)});
     }
     return result;
   }
 
   /// The occluder, if it can block at all: it does where a direction passes all edges on the inner
-  /// side and the element lies behind the occluder's plane, seen from the viewpoint.
-  void add_blockers(const Polygon& polygon, const Plane& occluder, const Plane& plane,
-                    std::vector<Blocker<3>>& blockers) {
-    const Sides sides = Sides::of<BigInteger>(occluder, element_);
+  /// side and the element lies behind the occluder's plane, seen from the viewpoint. False if the
+  /// occluder is seen edge-on.
+  bool add_blockers(const Polygon& polygon) {
+    const Plane occluder(polygon);
+    if (sign(occluder.offset) == 0) return false;
+    const Sides sides = Sides::of<Number>(occluder, element_);
     const int near = -sign(occluder.offset);
-    if (!(near > 0 ? sides.back : sides.front)) return;
+    if (!(near > 0 ? sides.back : sides.front)) return true;
     const Direction* behind = nullptr;
     if (sides.front && sides.back) {
       // Where the direction d meets the element's plane, d offset / (normal . d), the occluder's
       // plane has this value, times normal . d > 0.
       behind = pool_.add(Role::kFunctional,
-                         plane.offset * occluder.normal - occluder.offset * plane.normal);
+                         plane_.offset * occluder.normal - occluder.offset * plane_.normal);
     }
     std::vector<const Direction*> edges;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -132,7 +159,7 @@ class ViewCone {
     constexpr std::size_t kMostEdges = 60;
     const std::size_t n = polygon.size();
     for (std::size_t first = 0; first < n; first += kMostEdges) {
-      Blocker<3>& blocker = blockers.emplace_back();
+      Blocker<3>& blocker = blockers_.emplace_back();
       const std::size_t last = std::min(first + kMostEdges, n);
       for (std::size_t k = first; k < last; ++k) blocker.sides.push_back({edges[k], -near});
       const auto add_diagonal = [&](std::size_t from, std::size_t to) {
@@ -143,29 +170,29 @@ class ViewCone {
       if (last < n) add_diagonal(last, 0);
       if (behind != nullptr) blocker.sides.push_back({behind, -near});
     }
+    return true;
   }
 
   /// Does a polygon seen edge-on meet the interior of the cone between viewpoint and element? What
   /// is left of it after closed cuts at all sides does, iff it touches none of them all along.
-  bool meets_inside(const DirectionCell& root, Polygon polygon, const Plane& plane) {
-    Plane beyond = plane;  // the element's side of the plane is not inside
+  bool meets_inside(const DirectionCell& root, Polygon polygon) {
+    Plane beyond = plane_;  // the element's side of the plane is not inside
     beyond.reverse();
     std::vector<Plane> bounds = {beyond};
     for (const Direction* facet : root.facets()) {
       if (facet == nullptr) continue;
-      Plane bound = plane;
+      Plane bound = plane_;
       bound.normal = pool_.exact(*facet);
       bound.offset = BigInteger(0);
       bounds.push_back(bound);
     }
     for (const Plane& bound : bounds) {
-      const Sides sides = Sides::of<BigInteger>(bound, polygon);
+      const Sides sides = Sides::of<Number>(bound, polygon);
       if (!sides.front) return false;
-      if (sides.back) polygon = cut_polygon<BigInteger>(polygon, bound, 1);
+      if (sides.back) polygon = cut_polygon<Number>(polygon, bound, 1);
     }
-    return std::all_of(bounds.begin(), bounds.end(), [&](const Plane& bound) {
-      return Sides::of<BigInteger>(bound, polygon).front;
-    });
+    return std::all_of(bounds.begin(), bounds.end(),
+                       [&](const Plane& bound) { return Sides::of<Number>(bound, polygon).front; });
   }
 
   /// Where the cell's rays meet the element's plane, in order round the boundary.
@@ -218,8 +245,10 @@ class ViewCone {
   DirectionPool pool_;
   IntegerFrame frame_;
   Components viewpoint_;
-  BigInteger weight_;
+  Number weight_;
   Polygon element_;
+  Plane plane_;
+  std::vector<Blocker<3>> blockers_;
 };
 
 }  // namespace
@@ -228,7 +257,21 @@ ViewOfElement view_element(std::span<const Point> support, std::span<const doubl
                            std::span<const Point> element,
                            std::span<const std::span<const Point>> occluders,
                            ExactStatistics& statistics) {
-  return ViewCone(support, weights, element, occluders, statistics).run();
+  return ViewCone<BigInteger>(support, weights, element, occluders, statistics).run();
+}
+
+bool sees_part(const Point& viewpoint, std::span<const Point> element,
+               std::span<const std::span<const Point>> occluders, ExactStatistics& statistics) {
+  constexpr double kWeight = 1;
+  const auto decide = [&]<class Number>(Number /*kind*/) {
+    return ViewCone<Number>({&viewpoint, 1}, {&kWeight, 1}, element, occluders, statistics)
+        .sees_part();
+  };
+  try {
+    return decide(CheckedWide());
+  } catch (const CheckedWide::Overflow&) {
+    return decide(BigInteger());
+  }
 }
 
 }  // namespace viewcover::exact

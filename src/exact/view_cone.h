@@ -38,4 +38,9 @@ ViewOfElement view_element(std::span<const Point> support, std::span<const doubl
                            std::span<const std::span<const Point>> occluders,
                            ExactStatistics& statistics);
 
+/// Does the viewpoint see a part of the element that has area? As view_element, but ends with the
+/// first cell that no occluder meets. Cost: about 20 us and 4 us an occluder.
+bool sees_part(const Point& viewpoint, std::span<const Point> element,
+               std::span<const std::span<const Point>> occluders, ExactStatistics& statistics);
+
 }  // namespace viewcover::exact

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "links/point_shaft.h"
 #include "links/shaft.h"
+#include "links/visibility_backend.h"
 
 namespace viewcover {
 
@@ -13,8 +16,9 @@ struct SegmentOptions {
 };
 
 struct SegmentCounts {
-  int free = 0;     ///< sight lines, certain
-  int blocked = 0;  ///< blocked, or too near an occluder to tell
+  int free = 0;                         ///< sight lines, certain
+  int blocked = 0;                      ///< blocked, or too near an occluder to tell
+  std::optional<SightLine> sight_line;  ///< the free one
 };
 
 /// Random segments between the region and the element of a shaft (paper, section 3), until one is
@@ -24,5 +28,9 @@ struct SegmentCounts {
 /// clusters that were not opened too: free is certain. Requires an occluder left in the shaft.
 /// Cost: segments x occluders. Thread-safe; the same for the same seed and addresses.
 SegmentCounts try_random_segments(const Shaft& shaft, const SegmentOptions& options);
+
+/// The same from a viewpoint; the shaft's target, where it has one, is tried before and not counted
+/// among options.most. The generator depends on the seed, the viewpoint and the element's address.
+SegmentCounts try_random_segments(const PointShaft& shaft, const SegmentOptions& options);
 
 }  // namespace viewcover

@@ -33,14 +33,16 @@ void Bundle::write(const Solution& solution) const {
   write_visibility(solution.matrix, folder_ / "visibility.mtx");
   write_cover(solution.cover, folder_ / "cover.csv");
   write_proof(solution, folder_ / "cover.proof");
-  write_viewpoints(folder_ / "viewpoints.csv");
+  write_viewpoints(solution, folder_ / "viewpoints.csv");
+  write_viewpoint_visibility(solution, folder_ / "viewpoints.mtx");
+  write_refined_bound(solution, folder_);
   write_scene_vtp(solution, folder_ / "scene.vtp");
   write_surface_mesh(solution, folder_ / "surface.ply");
   write_surface_mesh(solution, folder_ / "surface.om");
 }
 
-void Bundle::complete(const Solution& solution, const RunSeconds& seconds) {
-  add_results(record_, solution, seconds);
+void Bundle::complete(const Solution& solution, Guarantee guarantee, const RunSeconds& seconds) {
+  add_results(record_, solution, guarantee, seconds);
   record_["measured"]["finished"] = utc_now();
   record_["complete"] = true;
   write_record();

@@ -23,7 +23,7 @@ class Bundle {
   void write(const Solution& solution) const;
 
   /// The last step: run.json with the record's results and `"complete": true`.
-  void complete(const Solution& solution, const RunSeconds& seconds);
+  void complete(const Solution& solution, Guarantee guarantee, const RunSeconds& seconds);
   /// Leaves the bundle incomplete, with the reason in run.json under `measured`.
   void abandon(std::string_view reason);
 

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
-#include <span>
 
 #include "optim/check_cover_proof.h"
 #include "optim/cover_file.h"
 #include "report/csv_table.h"
 #include "report/run_record.h"
+#include "report/viewpoint_check.h"
 #include "scene/error.h"
 
 namespace viewcover {
@@ -19,13 +18,6 @@ namespace {
 
 /// Sums of up to 10^9 terms in another order, and a text with 17 digits.
 constexpr double kRelativeRounding = 1e-6;
-
-std::ifstream open(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(file.string(), "cannot be read", "give the folder of a finished run");
-  return stream;
-}
 
 class BundleChecker {
  public:
@@ -39,6 +31,11 @@ class BundleChecker {
     check_cover();
     check_regions();
     check_bound();
+    const Json results = record_.value("results", Json::object());
+    if (results.contains("viewpoints")) {
+      std::vector<BundleClaim> more = check_viewpoints(folder_, results, bits_, areas_);
+      std::ranges::move(more, std::back_inserter(claims_));
+    }
     return std::move(claims_);
   }
 
@@ -134,7 +131,7 @@ class BundleChecker {
     claim("run.json agrees with cover.csv", wrong);
     const std::filesystem::path file = folder_ / "cover.proof";
     if (!std::filesystem::exists(file)) return;
-    std::ifstream proof = open(file);
+    std::ifstream proof = open_for_check(file);
     const CoverProofVerdict verdict = check_cover_proof(bits_, proof);
     claim(fmt::format("cover.proof proves that no {} regions see everything", bound - (bound > 0)),
           !verdict.holds ? fmt::format("line {}: {}", verdict.line, verdict.reason)

@@ -47,6 +47,13 @@ Number number_of(const std::string& place, const std::string& word) {
 
 }  // namespace
 
+std::ifstream open_for_check(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream)
+    throw InputError(file.string(), "cannot be read", "give the folder of a finished run");
+  return stream;
+}
+
 CsvTable::CsvTable(const std::filesystem::path& file, std::string_view advice)
     : file_(file.string()) {
   std::ifstream stream(file);
@@ -58,6 +65,10 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::string_view advice)
 }
 
 std::string CsvTable::place(std::size_t row) const { return InputError::at_line(file_, row + 2); }
+
+bool CsvTable::has(std::string_view title) const {
+  return std::ranges::find(titles_, title) != titles_.end();
+}
 
 const std::string& CsvTable::text(std::size_t row, std::string_view title) const {
   const auto column = static_cast<std::size_t>(std::ranges::find(titles_, title) - titles_.begin());

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace viewcover {
+
+/// A file of a finished run. Errors: InputError if it cannot be read.
+std::ifstream open_for_check(const std::filesystem::path& file);
 
 /// A CSV file (RFC 4180: fields may be quoted) with titles in its first line, read whole.
 ///
@@ -18,6 +22,7 @@ class CsvTable {
                     std::string_view advice = "give the folder of a finished run");
 
   std::size_t size() const { return rows_.size(); }
+  bool has(std::string_view title) const;
   const std::string& text(std::size_t row, std::string_view title) const;
   double number(std::size_t row, std::string_view title) const;
   /// A whole number >= 0.

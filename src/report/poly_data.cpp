@@ -1,5 +1,7 @@
 #include "report/poly_data.h"
 
+#include <algorithm>
+
 namespace viewcover {
 namespace {
 
@@ -24,10 +26,12 @@ void write_points(FileWriter& out, std::span<const ConvexPolygon> polygons) {
   out << "        </DataArray>\n      </Points>\n";
 }
 
-void write_polygons(FileWriter& out, std::span<const ConvexPolygon> polygons) {
-  out << "      <Polys>\n"
+/// Cells whose corners are numbered on from `first_corner`.
+void write_cells(FileWriter& out, std::string_view kind, std::span<const ConvexPolygon> polygons,
+                 std::size_t first_corner) {
+  out << "      <" << kind << ">\n"
       << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  std::size_t next = 0;
+  std::size_t next = first_corner;
   for (const ConvexPolygon& polygon : polygons) {
     for (std::size_t i = 0; i < polygon.size(); ++i) out << (i > 0 ? " " : "") << next++;
     out << '\n';
@@ -36,7 +40,7 @@ void write_polygons(FileWriter& out, std::span<const ConvexPolygon> polygons) {
       << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
   std::size_t end = 0;
   for (const ConvexPolygon& polygon : polygons) out << (end += polygon.size()) << '\n';
-  out << "        </DataArray>\n      </Polys>\n";
+  out << "        </DataArray>\n      </" << kind << ">\n";
 }
 
 }  // namespace
@@ -46,16 +50,21 @@ void write_poly_data(const std::filesystem::path& file, std::span<const ConvexPo
                      const std::function<void(FileWriter&)>& write_fields) {
   std::size_t points = 0;
   for (const ConvexPolygon& polygon : polygons) points += polygon.size();
+  const auto first_polygon = std::ranges::find_if(
+      polygons, [](const ConvexPolygon& polygon) { return polygon.size() > 1; });
+  const std::span<const ConvexPolygon> vertices(polygons.begin(), first_polygon);
   FileWriter out(file);
   out << "<?xml version=\"1.0\"?>\n"
       << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       << "  <PolyData>\n";
   if (write_fields) write_fields(out);
-  out << "    <Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-      << "NumberOfStrips=\"0\" NumberOfPolys=\"" << polygons.size() << "\">\n";
+  out << "    <Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"" << vertices.size()
+      << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+      << polygons.size() - vertices.size() << "\">\n";
   write_cell_data(out, arrays, scalars);
   write_points(out, polygons);
-  write_polygons(out, polygons);
+  if (!vertices.empty()) write_cells(out, "Verts", vertices, 0);
+  write_cells(out, "Polys", polygons.subspan(vertices.size()), vertices.size());
   out << "    </Piece>\n  </PolyData>\n</VTKFile>\n";
   out.commit();
 }

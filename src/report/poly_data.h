@@ -18,7 +18,8 @@ struct CellArray {
   std::vector<std::uint32_t> values;
 };
 
-/// Polygons as a VTK XML PolyData file in ASCII, for ParaView, coloured by `scalars` at first.
+/// Polygons as a VTK XML PolyData file in ASCII, for ParaView, coloured by `scalars` at first. One
+/// of a single corner is a vertex; vertices come first.
 /// `write_fields` writes what goes before the polygons, such as a FieldData element.
 /// Errors: InputError where the file cannot be written.
 void write_poly_data(const std::filesystem::path& file, std::span<const ConvexPolygon> polygons,

@@ -65,7 +65,8 @@ Json make_run_record(const std::filesystem::path& scene_file,
   return record;
 }
 
-void add_results(Json& record, const Solution& solution, const RunSeconds& seconds) {
+void add_results(Json& record, const Solution& solution, Guarantee guarantee,
+                 const RunSeconds& seconds) {
   Json verdicts = Json::object();
   for (std::size_t i = 0; i < kVerdictCount; ++i) {
     const Verdict verdict = static_cast<Verdict>(i);
@@ -85,9 +86,20 @@ void add_results(Json& record, const Solution& solution, const RunSeconds& secon
                        {"chosen", chosen},
                        {"regions_lower_bound", solution.cover.lower_bound},
                        {"proved", solution.cover.proved()}};
+  if (const ViewpointSet* set = solution.viewpoints) {
+    Json& results = record["results"];
+    results["viewpoints"] = set->viewpoints.size();
+    results["viewpoints_by_annealing_alone"] = set->paper_viewpoints;
+    results["viewpoints_lower_bound"] = nullptr;
+    if (guarantee == Guarantee::kExact) results["viewpoints_lower_bound"] = set->lower_bound;
+    results["elements_from_no_position"] = set->missing.size();
+    results["positions"] = set->positions;
+    results["candidates"] = set->candidates;
+    results["least_fractional_cover_by_candidates"] = set->relaxation;
+  }
   Json& measured = record["measured"];
   // Where a time limit strikes depends on the machine.
-  measured["time_limit_reached"] = solution.cover.time_limit_reached;
+  measured["time_limit_reached"] = solution.time_limit_reached();
   measured["seconds"] = seconds_of(seconds);
   measured["peak_memory_kb"] = peak_memory_kb();
   measured["link_memory_bytes"] = solution.links.memory_bytes();
@@ -106,8 +118,9 @@ Json summary_line(const Solution& solution, std::string_view backend, Guarantee 
   line["optimal_regions"] = solution.cover.size();
   line["proved"] = solution.cover.proved();
   line["lower_bound"] = nullptr;
-  if (guarantee == Guarantee::kExact) line["lower_bound"] = solution.cover.lower_bound;
+  if (guarantee == Guarantee::kExact) line["lower_bound"] = solution.lower_bound();
   line["viewpoints"] = nullptr;
+  if (solution.viewpoints != nullptr) line["viewpoints"] = solution.viewpoints->viewpoints.size();
   line["seconds"] = seconds_of(seconds);
   line["peak_memory_kb"] = peak_memory_kb();
   return line;

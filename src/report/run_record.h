@@ -29,9 +29,10 @@ Json make_run_record(const std::filesystem::path& scene_file,
 
 /// Adds results and counts of verdicts; `seconds` and the peak memory go to `measured`.
 /// `"complete"` stays as it is.
-void add_results(Json& record, const Solution& solution, const RunSeconds& seconds);
+void add_results(Json& record, const Solution& solution, Guarantee guarantee,
+                 const RunSeconds& seconds);
 
-/// The JSON object that `solve` prints last. `viewpoints` is null: none were looked for;
+/// The JSON object that `solve` prints last. `viewpoints` is null if none were looked for;
 /// `lower_bound` is null where the backend's guarantee does not carry a proof.
 Json summary_line(const Solution& solution, std::string_view backend, Guarantee guarantee,
                   const RunSeconds& seconds);

@@ -19,7 +19,7 @@ struct Cells {
   }
 };
 
-constexpr std::uint32_t kElement = 0, kRegion = 1;
+constexpr std::uint32_t kElement = 0, kRegion = 1, kViewpoint = 2;
 
 Cells cells_of(const Solution& solution) {
   const VisibilityMatrix& matrix = solution.matrix;
@@ -31,6 +31,12 @@ Cells cells_of(const Solution& solution) {
     for_each_bit(matrix.bits.row(row), [&](std::size_t column) { ++covered_by[column]; });
   }
   Cells cells;
+  // VTK wants vertices before polygons.
+  if (solution.viewpoints != nullptr) {
+    for (const Viewpoint& viewpoint : solution.viewpoints->viewpoints) {
+      cells.add({viewpoint.position}, {kViewpoint, 0, 0, 1, 0, 0});
+    }
+  }
   for (std::size_t i = 0; i < matrix.elements.size(); ++i) {
     const SurfaceId id = matrix.elements[i].owner();
     const Surface& surface = solution.scene[id];
@@ -57,6 +63,24 @@ void write_group_names(FileWriter& out, const std::vector<std::string>& groups) 
     out << "0\n";
   }
   out << "      </Array>\n    </FieldData>\n";
+}
+
+/// `Verts` or `Polys`: cells [first, last), the corners of all cells being numbered in turn.
+void write_cells(FileWriter& out, std::string_view what, const std::vector<Cell>& cells,
+                 std::size_t first, std::size_t last) {
+  out << "      <" << what << ">\n"
+      << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < first; ++i) next += cells[i].polygon.size();
+  for (std::size_t i = first; i < last; ++i) {
+    for (std::size_t k = 0; k < cells[i].polygon.size(); ++k) out << (k > 0 ? " " : "") << next++;
+    out << '\n';
+  }
+  out << "        </DataArray>\n"
+      << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  std::size_t end = 0;
+  for (std::size_t i = first; i < last; ++i) out << (end += cells[i].polygon.size()) << '\n';
+  out << "        </DataArray>\n      </" << what << ">\n";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "scene/cluster_tree.h"
 #include "scene/scene.h"
 #include "scene/viewing_region.h"
+#include "viewpoints/viewpoint_search.h"
 
 namespace viewcover {
 
@@ -23,10 +24,18 @@ struct Solution {
   const VisibilityMatrix& matrix;
   const RegionCover& cover;
   std::vector<std::pair<std::string, std::uint64_t>> backend_statistics{};
+  const ViewpointSet* viewpoints = nullptr;  ///< none if they were not looked for
 
   /// Row numbers of the cover, ascending.
   std::vector<std::size_t> chosen() const {
     return cover.steps.empty() ? std::vector<std::size_t>() : cover.steps.back().chosen;
+  }
+  bool time_limit_reached() const {
+    return cover.time_limit_reached || (viewpoints != nullptr && viewpoints->time_limit_reached);
+  }
+  /// A lower bound on the number of viewpoints, if the backend is exact.
+  std::size_t lower_bound() const {
+    return viewpoints != nullptr ? viewpoints->lower_bound : cover.lower_bound;
   }
 };
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "optim/cover_proof.h"
 #include "report/file_writer.h"
+#include "viewpoints/refined_bound.h"
 
 namespace viewcover {
 namespace {
@@ -39,6 +41,29 @@ std::size_t most_corners(const std::vector<ConvexPolygon>& polygons) {
 template <class Owner>
 void write_node(FileWriter& out, QuadAddress<Owner> node) {
   out << node.owner().value + 1 << ':' << node.level() << ':' << node.path();
+}
+
+void write_bits(const BitRows& bits, std::string_view what, const std::filesystem::path& file) {
+  std::size_t entries = 0;
+  for (std::size_t row = 0; row < bits.rows(); ++row) entries += count_bits(bits.row(row));
+  FileWriter out(file);
+  out << "%%MatrixMarket matrix coordinate pattern general\n% " << what << '\n'
+      << bits.rows() << ' ' << bits.columns() << ' ' << entries << '\n';
+  for (std::size_t row = 0; row < bits.rows(); ++row) {
+    for_each_bit(bits.row(row),
+                 [&](std::size_t column) { out << row + 1 << ' ' << column + 1 << '\n'; });
+  }
+  out.commit();
+}
+
+void write_proof_of(const BitRows& matrix, const CoverProof& proof,
+                    const std::filesystem::path& file) {
+  const CoverInstance instance(matrix, std::vector<double>(matrix.columns(), 1.0));
+  std::ostringstream text;
+  write_cover_proof(text, instance.rows(), proof);
+  FileWriter out(file);
+  out << text.str();
+  out.commit();
 }
 
 }  // namespace
@@ -122,18 +147,9 @@ void write_links(const Solution& solution, const std::filesystem::path& file) {
 }
 
 void write_visibility(const VisibilityMatrix& matrix, const std::filesystem::path& file) {
-  const BitRows& bits = matrix.bits;
-  std::size_t entries = 0;
-  for (std::size_t row = 0; row < bits.rows(); ++row) entries += count_bits(bits.row(row));
-  FileWriter out(file);
-  out << "%%MatrixMarket matrix coordinate pattern general\n"
-      << "% rows: regions, columns: elements, in the order of regions.csv and elements.csv\n"
-      << bits.rows() << ' ' << bits.columns() << ' ' << entries << '\n';
-  for (std::size_t row = 0; row < bits.rows(); ++row) {
-    for_each_bit(bits.row(row),
-                 [&](std::size_t column) { out << row + 1 << ' ' << column + 1 << '\n'; });
-  }
-  out.commit();
+  write_bits(matrix.bits,
+             "rows: regions, columns: elements, in the order of regions.csv and elements.csv",
+             file);
 }
 
 void write_cover(const RegionCover& cover, const std::filesystem::path& file) {
@@ -156,18 +172,54 @@ void write_proof(const Solution& solution, const std::filesystem::path& file) {
     std::filesystem::remove(file);
     return;
   }
-  const CoverInstance instance(solution.matrix.bits, solution.matrix.areas);
-  std::ostringstream text;
-  write_cover_proof(text, instance.rows(), *solution.cover.proof);
+  write_proof_of(solution.matrix.bits, *solution.cover.proof, file);
+}
+
+void write_viewpoints(const Solution& solution, const std::filesystem::path& file) {
   FileWriter out(file);
-  out << text.str();
+  out << "viewpoint,x,y,z,region,covered_area_percent,seconds\n";
+  if (const ViewpointSet* set = solution.viewpoints) {
+    for (std::size_t i = 0; i < set->viewpoints.size(); ++i) {
+      const auto& [position, region] = set->viewpoints[i];
+      out << i + 1 << ',' << position.x() << ',' << position.y() << ',' << position.z() << ','
+          << region + 1 << ',' << set->covered_percent[i] << ',' << set->seconds[i] << '\n';
+    }
+  }
   out.commit();
 }
 
-void write_viewpoints(const std::filesystem::path& file) {
-  FileWriter out(file);
-  out << "viewpoint,x,y,z,region,covered_area_percent,seconds\n";
+void write_viewpoint_visibility(const Solution& solution, const std::filesystem::path& file) {
+  if (solution.viewpoints == nullptr) {
+    std::filesystem::remove(file);
+    return;
+  }
+  write_bits(solution.viewpoints->seen,
+             "rows: viewpoints, columns: elements, in the order of viewpoints.csv and elements.csv",
+             file);
+}
+
+void write_refined_bound(const Solution& solution, const std::filesystem::path& folder) {
+  const auto cells = folder / "bound.csv", matrix = folder / "bound.mtx",
+             proof = folder / "bound.proof";
+  if (solution.viewpoints == nullptr || solution.viewpoints->refined_bound == nullptr) {
+    for (const auto& file : {cells, matrix, proof}) std::filesystem::remove(file);
+    return;
+  }
+  const RefinedBound& bound = *solution.viewpoints->refined_bound;
+  const ViewingRegion& region = solution.region;
+  FileWriter out(cells);
+  out << "cell,region,part,level,path\n";
+  for (std::size_t i = 0; i < bound.cells.size(); ++i) {
+    RegionAddress ancestor = bound.cells[i];
+    while (ancestor.level() > region.level) ancestor = ancestor.parent();
+    out << i + 1 << ',' << region.first_index(ancestor) + 1 << ','
+        << bound.cells[i].owner().value + 1 << ',' << bound.cells[i].level() << ','
+        << bound.cells[i].path() << '\n';
+  }
   out.commit();
+  write_bits(bound.seen,
+             "rows: cells, columns: elements, in the order of bound.csv and elements.csv", matrix);
+  write_proof_of(bound.seen, *bound.proof, proof);
 }
 
 }  // namespace viewcover

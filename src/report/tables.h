@@ -36,7 +36,19 @@ void write_cover(const RegionCover& cover, const std::filesystem::path& file);
 /// gave no proof there is no file, nor one of an earlier run.
 void write_proof(const Solution& solution, const std::filesystem::path& file);
 
-/// `viewpoint,x,y,z,region,covered_area_percent,seconds`.
-void write_viewpoints(const std::filesystem::path& file);
+/// `viewpoint,x,y,z,region,covered_area_percent,seconds`: in the order in which they add most area,
+/// with the share of the visible area that is seen so far, and when in the search the viewpoint was
+/// first looked from. No lines where none were looked for.
+void write_viewpoints(const Solution& solution, const std::filesystem::path& file);
+
+/// What each viewpoint sees, as write_visibility: rows are viewpoints. No file where none were
+/// looked for, nor one of an earlier run.
+void write_viewpoint_visibility(const Solution& solution, const std::filesystem::path& file);
+
+/// The certificate of a lower bound that was raised above the region cover's
+/// (viewpoints/refined_bound.h): `bound.csv`, `cell,region,part,level,path`; `bound.mtx`, its rows
+/// the cells, columns that were not needed empty; `bound.proof`, as write_proof against that
+/// matrix. No files, nor those of an earlier run, where it was not raised.
+void write_refined_bound(const Solution& solution, const std::filesystem::path& folder);
 
 }  // namespace viewcover

@@ -9,6 +9,7 @@
 #include "audit/made_audit.h"
 #include "exact/view_cone.h"
 #include "scene/random_numbers.h"
+#include "support/sanitized.h"
 
 namespace viewcover {
 namespace {
@@ -19,7 +20,7 @@ using testing::Rational;
 using testing::share_of;
 using testing::shares_of;
 
-constexpr std::uint64_t kRooms = VIEWCOVER_SANITIZED ? 4 : 25;
+const std::uint64_t kRooms = testing::sanitized() ? 4 : 25;
 
 std::vector<double> all_areas(const Audit& audit) {
   std::vector<double> areas;

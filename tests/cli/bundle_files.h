@@ -71,7 +71,7 @@ inline std::map<std::string, std::string> comparable_files(const std::filesystem
       Json run = Json::parse(text);
       run.erase("measured");
       text = run.dump();
-    } else if (name == "cover.csv") {
+    } else if (name == "cover.csv" || name == "viewpoints.csv") {
       const Table table(entry.path());
       const std::size_t seconds = table.column("seconds");
       text.clear();
@@ -114,9 +114,12 @@ class RoomFolder {
                 Process::Limits limits = {}) const {
     std::vector<std::string> arguments = {"solve",  scene(), "--region",
                                           region(), "-o",    bundle(name)};
-    // Random rays unless asked otherwise: the quickest way to a bundle.
+    // Random rays and no viewpoints unless asked otherwise: the quickest way to a bundle.
     if (std::ranges::find(more, "--backend") == more.end()) {
       arguments.insert(arguments.end(), {"--backend", "rays"});
+    }
+    if (std::ranges::find(more, "--viewpoints") == more.end()) {
+      arguments.insert(arguments.end(), {"--viewpoints", "none"});
     }
     arguments.insert(arguments.end(), more.begin(), more.end());
     return viewcover_run(arguments, limits);

@@ -48,6 +48,42 @@ TEST(Solve, LastLineIsTheSummary) {
   EXPECT_THAT(outcome.error, ::testing::Not(HasSubstr("viewcover:")));  // progress at most
 }
 
+TEST(Solve, FindsViewpointsAndTheirBoundByDefault) {
+  const RoomFolder room;
+  const Outcome outcome = viewcover_run(
+      {"solve", room.scene(), "--region", room.region(), "-o", room.bundle(), "--regions", "16"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const Json summary = Json::parse(last_line(outcome.out));
+  const std::size_t viewpoints = summary.at("viewpoints"), bound = summary.at("lower_bound");
+  EXPECT_GE(viewpoints, bound);
+  EXPECT_GE(bound, summary.at("optimal_regions"));
+  EXPECT_THAT(outcome.out, HasSubstr("lower bound"));
+  const Table table(room.bundle() + "/viewpoints.csv");
+  ASSERT_EQ(table.rows.size(), viewpoints);
+  EXPECT_EQ(table.rows.back()[table.column("covered_area_percent")], "100");
+  EXPECT_EQ(run_json(room.bundle()).at("results").at("viewpoints"), viewpoints);
+  EXPECT_EQ(run_json(room.bundle()).at("results").at("viewpoints_lower_bound"), bound);
+  EXPECT_EQ(run_json(room.bundle()).at("options").at("viewpoints"), "sa");
+  const Outcome verified = viewcover_run({"verify", room.bundle()});
+  EXPECT_EQ(verified.exit_code, 0) << verified.error;
+  EXPECT_THAT(verified.out, HasSubstr("holds: each viewpoint lies in its region"));
+}
+
+TEST(Solve, ViewpointsDependOnNoThreads) {
+  const RoomFolder room;
+  for (const char* threads : {"1", "2"}) {
+    const Outcome outcome = room.solve(
+        threads, {"--viewpoints", "sa", "--regions", "16", "--threads", threads, "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    const Json summary = Json::parse(outcome.out);
+    EXPECT_GT(summary.at("viewpoints"), 0);
+    EXPECT_TRUE(summary.at("lower_bound").is_null());  // random rays prove none
+  }
+  const auto one = comparable_files(room.bundle("1")), two = comparable_files(room.bundle("2"));
+  EXPECT_EQ(one.at("viewpoints.csv"), two.at("viewpoints.csv"));
+  EXPECT_EQ(one.at("viewpoints.mtx"), two.at("viewpoints.mtx"));
+}
+
 TEST(Solve, QuietPrintsTheSummaryOnly) {
   const RoomFolder room;
   const Outcome outcome = room.solve("bundle", {"--quiet"});
@@ -224,7 +260,7 @@ TEST(Solve, OptionsReachTheRun) {
   const Json options = run_json(room.bundle()).at("options");
   EXPECT_EQ(options, Json::parse(R"({"backend": "rays", "rays": 4, "sampling": "stratified",
       "regions": 16, "element_area": 0.5, "optimizer": "exact", "viewpoints": "none",
-      "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "lattice": 16,
+      "close_gap": null, "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "lattice": 16,
       "merge_coplanar": true, "allow_outside": true})"));
   EXPECT_EQ(Table(room.bundle() + "/regions.csv").rows.size(), 16u);
   EXPECT_EQ(run_json(room.bundle()).at("scene").at("lattice_exponent"), 16);
@@ -250,7 +286,7 @@ TEST(Solve, RepairsAreOneLine) {
   const std::string first_line = outcome.error.substr(0, outcome.error.find('\n'));
   EXPECT_THAT(first_line, ::testing::MatchesRegex("viewcover: .*repaired\\.obj: .*1 .*"));
   EXPECT_THAT(outcome.error.substr(first_line.size()),
-              ::testing::MatchesRegex("\n((visibility|region cover): [^\n]*\n)*"));
+              ::testing::MatchesRegex("\n((visibility|region cover|viewpoints): [^\n]*\n)*"));
   EXPECT_EQ(run_json(room.bundle()).at("scene").at("repairs").at("degenerate_faces"), 1);
 }
 

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "bundle_files.h"
 #include "scene/scratch_folder.h"
@@ -79,6 +81,68 @@ TEST_F(Verify, FindsAWrongMark) {
 TEST_F(Verify, FindsAWrongProof) {
   damage("cover.proof", "\nbound (\\d+)", "\nbound 99");
   expect_contradiction("cover.proof proves");
+}
+
+TEST_F(Verify, FindsAViewpointOutsideItsRegion) {
+  // As little as one unit in the last place beside the region's plane.
+  const Table viewpoints(bundle() / "viewpoints.csv");
+  const std::string z = viewpoints.rows[0][viewpoints.column("z")];
+  std::ostringstream beside;
+  beside.precision(17);
+  beside << std::nextafter(std::stod(z), 10.0);
+  damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
+  expect_contradiction("each viewpoint lies in its region");
+}
+TEST_F(Verify, FindsAViewpointThatSeesMoreThanItsRegion) {
+  // Each entry of the matrix of regions that a viewpoint depends on matters: drop the columns of
+  // one element, which its region then does not see.
+  std::istringstream in(read_file(bundle() / "viewpoints.mtx"));
+  std::string line, column;
+  while (std::getline(in, line) && (line.empty() || line[0] == '%')) {
+  }
+  in >> line >> column;  // the first entry: viewpoint 1
+  ASSERT_EQ(line, "1");
+  const Table viewpoints(bundle() / "viewpoints.csv");
+  const std::string region = viewpoints.rows[0][viewpoints.column("region")];
+  damage("visibility.mtx", "\n" + region + " " + column + "\n", "\n" + region + " 1\n");
+  expect_contradiction("each viewpoint sees no more than its region");
+}
+TEST_F(Verify, FindsAWrongShareOfViewpoints) {
+  damage("viewpoints.csv", ",100,", ",99,");
+  expect_contradiction("viewpoints.csv states");
+}
+TEST_F(Verify, FindsAMissingViewpoint) {
+  damage("run.json", "\"viewpoints\": \\d+", "\"viewpoints\": 1");
+  expect_contradiction("viewpoints.csv, viewpoints.mtx and run.json agree");
+}
+
+class VerifyBound : public Verify {
+ protected:
+  void SetUp() override {
+    const std::string scene = (folder_.path() / "scene.obj").string();
+    ASSERT_EQ(
+        viewcover_run({"generate", "living-room", "--detail", "simple", "-o", scene}).exit_code, 0);
+    const Outcome outcome = viewcover_run(
+        {"solve", scene, "--region", (folder_.path() / "scene.region.json").string(), "--regions",
+         "4", "--element-area", "2", "-o", bundle().string(), "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    const Json results = run_json(bundle()).at("results");
+    ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));
+    ASSERT_EQ(verify().exit_code, 0);
+  }
+};
+
+TEST_F(VerifyBound, FindsAWrongProof) {
+  damage("bound.proof", "\nbound (\\d+)", "\nbound 99");
+  expect_contradiction("bound.proof proves");
+}
+TEST_F(VerifyBound, FindsAMissingCell) {
+  damage("bound.csv", "\n2,1,", "\n2,2,");
+  expect_contradiction("the cells of the bound tile the regions");
+}
+TEST_F(VerifyBound, FindsABoundThatIsTooHigh) {
+  damage("run.json", "\"viewpoints_lower_bound\": \\d+", "\"viewpoints_lower_bound\": 99");
+  expect_contradiction("the lower bound is at most");
 }
 
 TEST_F(Verify, AnIncompleteRunIsNoBundle) {

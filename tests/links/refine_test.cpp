@@ -17,8 +17,21 @@ namespace {
 
 using testing::horizontal;
 
+/// Refinement asks from regions only.
+class RegionBackend : public VisibilityBackend {
+ public:
+  bool sees_part(const PointShaft& /*shaft*/) const override {
+    ADD_FAILURE() << "asked from a point";
+    return false;
+  }
+  std::optional<SightLine> find_sight_line(const Shaft& /*shaft*/) const override {
+    ADD_FAILURE() << "asked for a sight line";
+    return std::nullopt;
+  }
+};
+
 /// Never finds a shaft hidden: what is left is what refinement itself decides.
-class AssumeVisible : public VisibilityBackend {
+class AssumeVisible : public RegionBackend {
  public:
   std::string_view name() const override { return "assume-visible"; }
   Guarantee guarantee() const override { return Guarantee::kVisibleIsCertain; }
@@ -29,7 +42,7 @@ class AssumeVisible : public VisibilityBackend {
 };
 
 /// Says hidden for shafts by their addresses, at any level.
-class HideAtRandom : public VisibilityBackend {
+class HideAtRandom : public RegionBackend {
  public:
   std::string_view name() const override { return "hide-at-random"; }
   Guarantee guarantee() const override { return Guarantee::kVisibleIsCertain; }

@@ -142,7 +142,7 @@ TEST_F(BundleTest, IsIncompleteUntilTheEnd) {
   EXPECT_EQ(run_json().at("complete"), false);
   bundle.write(solution());
   EXPECT_EQ(run_json().at("complete"), false);
-  bundle.complete(solution(), {.visibility = 1, .cover = 2, .viewpoints = 0, .total = 3});
+  bundle.complete(solution(), Guarantee::kExact, {.visibility = 1, .cover = 2, .viewpoints = 0, .total = 3});
   const Json run = run_json();
   EXPECT_EQ(run.at("complete"), true);
   EXPECT_EQ(run.at("version"), build_info().version);
@@ -162,7 +162,7 @@ TEST_F(BundleTest, ASecondRunMakesTheFirstIncomplete) {
   {
     Bundle bundle(bundle_, record());
     bundle.write(solution());
-    bundle.complete(solution(), {});
+    bundle.complete(solution(), Guarantee::kExact, {});
   }
   Bundle bundle(bundle_, record());
   EXPECT_EQ(run_json().at("complete"), false);

@@ -1,0 +1,72 @@
+#include "viewpoints/pool_cover.h"
+
+#include <algorithm>
+
+#include "optim/cover_programme.h"
+#include "optim/cover_tree.h"
+#include "optim/incidence_lists.h"
+#include "optim/reductions.h"
+#include "optim/search_effort.h"
+#include "optim/whole_cover_search.h"
+
+namespace viewcover {
+namespace {
+
+/// A tree this small is searched before a heuristic is asked.
+constexpr std::size_t kNodesBeforeHeuristic = 20;
+
+std::vector<std::uint32_t> local_search(const Incidence& incidence, std::uint64_t seed,
+                                        SearchLimits& limits) {
+  constexpr std::uint64_t kPatience = 3'000'000;
+  constexpr double kShareOfTime = 0.1;
+  const IncidenceLists lists(incidence.bits());
+  RandomNumbers random(seed);
+  WholeCoverSearch search(lists, random);
+  SearchEffort effort(limits, kShareOfTime, kPatience, search.work());
+  search.run(effort, 1, [] {});
+  std::vector<std::uint32_t> best(search.best().begin(), search.best().end());
+  std::ranges::sort(best);
+  return best;
+}
+
+void add_prices(const CoverComponent& component, SearchLimits& limits, PoolCover& cover) {
+  const CoverNodeState state(component.incidence);
+  CoverProgramme programme(component.incidence);
+  if (programme.solve(state, limits) == LinearProgram::Status::kNone) return;
+  CoverDual dual;
+  programme.improve(dual, state);
+  for (const auto& [column, price] : dual.prices) {
+    cover.prices[component.columns[column]] =
+        static_cast<double>(price) / static_cast<double>(dual.denominator);
+  }
+}
+
+}  // namespace
+
+PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t seed,
+                     SearchLimits& limits) {
+  PoolCover cover;
+  cover.prices.assign(rows.columns(), 0.0);
+  const Reduction reduction = reduce_cover(rows);
+  for (const ReductionStep& step : reduction.steps) {
+    if (step.kind == ReductionStep::Kind::kTake) cover.prices[step.reason] = 1;
+  }
+  cover.chosen.assign(reduction.taken.begin(), reduction.taken.end());
+  cover.lower_bound = reduction.taken.size();
+  for (const CoverComponent& component : reduction.components) {
+    add_prices(component, limits, cover);
+    CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
+    tree.search(std::min(kNodesBeforeHeuristic, most_nodes));
+    if (tree.bound() < tree.best().size()) {
+      tree.offer(local_search(component.incidence, seed, limits));
+      tree.search(most_nodes);
+    }
+    cover.lower_bound += tree.bound();
+    for (const std::uint32_t row : tree.best()) cover.chosen.push_back(component.rows[row]);
+  }
+  std::ranges::sort(cover.chosen);
+  for (const double price : cover.prices) cover.relaxation += price;
+  return cover;
+}
+
+}  // namespace viewcover

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "links/bit_rows.h"
+#include "optim/search_limits.h"
+
+namespace viewcover {
+
+/// Few rows of a pool that see all that the pool sees, and what columns are worth.
+struct PoolCover {
+  std::vector<std::size_t> chosen;  ///< ascending
+  std::size_t lower_bound = 0;      ///< proved: no fewer rows of the pool do
+  /// Prices of columns from the linear programme of the cover: no row's columns cost more than 1
+  /// together, but for rounding, and all columns as much as possible. A row from outside the pool
+  /// can only help to a smaller fractional cover if its columns cost more than 1 (column
+  /// generation; here the columns of the programme are rows).
+  std::vector<double> prices;
+  double relaxation = 0;  ///< the sum of the prices
+};
+
+/// Reductions, the linear programme, branch and bound of up to `most_nodes` nodes a component, with
+/// a local search where that does not end. Deterministic unless the limits expire.
+/// Errors: Interrupted.
+PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t seed,
+                     SearchLimits& limits);
+
+}  // namespace viewcover

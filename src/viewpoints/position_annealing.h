@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewpoints/column_weights.h"
+#include "viewpoints/region_views.h"
+
+namespace viewcover {
+
+struct AnnealingOptions {
+  std::uint64_t seed = 1;
+  std::size_t evaluations = 48;  ///< positions looked from, at most
+  std::optional<Point> start{};  ///< default: a random position
+};
+
+struct AnnealedPosition {
+  /// Free positions that were better than all before, ascending in benefit.
+  std::vector<Point> records;
+  double benefit = 0;  ///< of the last of them
+  std::size_t evaluations = 0;
+};
+
+/// Simulated annealing for the position in a region from which the columns seen weigh most (paper,
+/// section 2.4). Steps shrink from half the region to a hundredth, the temperature falls with them.
+/// Ends early when everything is seen that the region sees. Without a free position there are no
+/// records. Only columns with a weight are looked at. Same seed, same positions. Thread-safe.
+AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
+                                 const ColumnWeights& weights, const AnnealingOptions& options);
+
+}  // namespace viewcover

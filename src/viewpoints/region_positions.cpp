@@ -1,0 +1,103 @@
+#include "viewpoints/region_positions.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "links/sampling.h"
+#include "scene/predicates.h"
+
+namespace viewcover {
+namespace {
+
+constexpr int kSignificandBits = 53;
+/// Finer positions tell nothing: a millionth of a region.
+constexpr int kMostBits = 20;
+/// Coordinates with so many bits can be decided about in 128-bit integers (exact/view_cone.h), and
+/// what is enough to move about in a region.
+constexpr int kCheapCoordinateBits = 40, kEnoughBits = 10, kLeastBits = 6;
+
+/// The exponent of the lowest bit set.
+int lowest_exponent(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  const auto bits = static_cast<std::uint64_t>(std::ldexp(std::fabs(fraction), kSignificandBits));
+  return exponent - kSignificandBits + std::countr_zero(bits);
+}
+
+}  // namespace
+
+RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lattice_exponent)
+    : region_(std::move(region)) {
+  int unit = -lattice_exponent;
+  Box box = scene;
+  for (const Point& corner : region_) {
+    box.extend(corner);
+    for (const double x : corner) {
+      if (x != 0) unit = std::min(unit, lowest_exponent(x));
+    }
+  }
+  // All numbers in nearest() that are not rounded and differences to corners are multiples of
+  // 2^(unit - bits), below twice the largest coordinate.
+  const double largest =
+      2 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const int coordinate_bits = std::ilogb(largest) + 1 - unit;
+  bits_ = std::clamp(kSignificandBits - coordinate_bits, 0, kMostBits);
+  coarse_bits_ =
+      std::min(bits_, std::clamp(kCheapCoordinateBits - coordinate_bits, kLeastBits, kEnoughBits));
+
+  const Point normal = area_vector(region_).normalized();
+  std::size_t farthest = 1;
+  for (std::size_t i = 2; i < region_.size(); ++i) {
+    if ((region_[i] - region_[0]).norm() > (region_[farthest] - region_[0]).norm()) farthest = i;
+  }
+  axes_[0] = region_[farthest] - region_[0];
+  axes_[1] = normal.cross(axes_[0]);
+}
+
+Point RegionPositions::nearest(const Point& point) const { return nearest(point, bits_); }
+
+Point RegionPositions::nearest(const Point& point, int bits) const {
+  const Point normal = area_vector(region_), from_a = point - region_[0];
+  // The triangle of the fan between whose edges through the first corner the point lies.
+  std::size_t triangle = 0;
+  while (triangle + 3 < region_.size() &&
+         (region_[triangle + 2] - region_[0]).cross(from_a).dot(normal) > 0) {
+    ++triangle;
+  }
+  const Point b = region_[triangle + 1] - region_[0], c = region_[triangle + 2] - region_[0];
+  const double whole = b.cross(c).dot(normal), steps = std::ldexp(1.0, bits);
+  const double s = std::max(from_a.cross(c).dot(normal) / whole, 0.0),
+               t = std::max(b.cross(from_a).dot(normal) / whole, 0.0);
+  const double scale = std::max(s + t, 1.0);
+  const double i = std::min(std::round(steps * (s / scale)), steps);
+  const double j = std::min(std::round(steps * (t / scale)), steps - i);
+  return region_[0] + (i / steps) * b + (j / steps) * c;
+}
+
+Point RegionPositions::random(RandomNumbers& random) const {
+  const double u = random.open_unit(), v = random.open_unit();
+  return nearest(PolygonSampler(region_).point(u, v), coarse_bits_);
+}
+
+Point RegionPositions::near(const Point& position, double scale, RandomNumbers& random) const {
+  // The sum of three uniform numbers: bell-shaped, and the same on every platform.
+  const auto step = [&] { return random.unit() + random.unit() + random.unit() - 1.5; };
+  const double s = scale * step(), t = scale * step();
+  // A step of 64 units at least, if there are as many bits.
+  const int bits = std::clamp(kLeastBits - std::ilogb(scale), coarse_bits_, bits_);
+  return nearest(position + s * axes_[0] + t * axes_[1], bits);
+}
+
+bool lies_in(const Point& point, std::span<const Point> polygon) {
+  if (orientation(polygon[0], polygon[1], polygon[2], point) != 0) return false;
+  const int axis = projection_axis(polygon);
+  const int inside = turn(polygon[0], polygon[1], polygon[2], axis);
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    if (turn(polygon[k], polygon[(k + 1) % polygon.size()], point, axis) == -inside) return false;
+  }
+  return true;
+}
+
+}  // namespace viewcover

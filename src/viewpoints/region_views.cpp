@@ -1,0 +1,154 @@
+#include "viewpoints/region_views.h"
+
+#include <algorithm>
+
+#include "links/cull.h"
+#include "links/point_shaft.h"
+
+namespace viewcover {
+namespace {
+
+bool test(std::span<const BitRows::Word> row, std::size_t column) {
+  return row[column / 64] >> (column % 64) & 1;
+}
+
+void set(std::span<BitRows::Word> row, std::size_t column) {
+  row[column / 64] |= BitRows::Word{1} << (column % 64);
+}
+
+}  // namespace
+
+RegionViews::RegionViews(const ViewedScene& viewed)
+    : viewed_(viewed),
+      occluders_(viewed.scene, viewed.clusters, viewed.region),
+      views_(viewed.matrix.bits.rows()) {
+  for (const ElementAddress element : viewed.matrix.elements) {
+    elements_.push_back({subdivided(viewed.scene[element.owner()].polygon, element),
+                         occluders_.plane(viewed.clusters.place(element.owner()))});
+  }
+  leaves_.resize(viewed.clusters.size());
+  const auto nodes = viewed.clusters.nodes();
+  for (ClusterNode node = 0; node < nodes.size(); ++node) {
+    if (nodes[node].is_leaf()) leaves_[nodes[node].first] = node;
+  }
+  for (std::size_t link = 0; link < viewed.links.size(); ++link) add_link(link);
+  for (std::size_t region = 0; region < views_.size(); ++region) {
+    View& view = views_[region];
+    std::ranges::sort(view.partial, {}, &PartialColumn::column);
+    positions_.emplace_back(viewed.region.polygon(viewed.region.address(region)),
+                            viewed.scene.bounds, viewed.scene.lattice.exponent);
+    const Box box = bounding_box(positions_[region].region());
+    for (std::size_t s = 0; s < viewed.scene.surfaces.size(); ++s) {
+      if (box.intersects(bounding_box(viewed.scene.surfaces[s].polygon))) {
+        view.touching.emplace_back(s);
+      }
+    }
+  }
+}
+
+void RegionViews::add_link(std::size_t index) {
+  const Link link = viewed_.links[index];
+  const auto& elements = viewed_.matrix.elements;
+  const auto begin = std::lower_bound(elements.begin(), elements.end(), link.element);
+  const auto end = std::find_if_not(begin, elements.end(), [&](ElementAddress address) {
+    return link.element.contains(address);
+  });
+  const auto first = static_cast<std::uint32_t>(begin - elements.begin());
+  const std::vector<OccluderId> list = viewed_.links.occluders(index);
+  const auto stored_begin = static_cast<std::uint32_t>(stored_.size());
+  stored_.insert(stored_.end(), list.begin(), list.end());
+  const std::size_t first_row = viewed_.region.first_index(link.region);
+  for (std::size_t i = 0; i < viewed_.region.index_count(link.region); ++i) {
+    View& view = views_[first_row + i];
+    const auto count = static_cast<std::uint32_t>(end - begin);
+    if (list.empty()) {
+      view.full.push_back({first, count});
+      continue;
+    }
+    for (std::uint32_t column = first; column < first + count; ++column) {
+      view.partial.push_back({column, stored_begin, static_cast<std::uint32_t>(stored_.size())});
+    }
+  }
+}
+
+bool RegionViews::is_free(std::size_t region, const Point& position) const {
+  return std::ranges::none_of(views_[region].touching, [&](SurfaceId surface) {
+    return lies_in(position, viewed_.scene[surface].polygon);
+  });
+}
+
+bool RegionViews::is_facing(std::size_t column, const Point& position) const {
+  const int side = elements_[column].plane.side(position);
+  return viewed_.one_sided ? side > 0 : side != 0;
+}
+
+bool RegionViews::sees(const PartialColumn& partial, const Point& position,
+                       const std::optional<ElementTarget>& target) const {
+  PointShaft shaft(occluders_, position, viewed_.matrix.elements[partial.column],
+                   elements_[partial.column], viewed_.one_sided);
+  if (!shaft.is_facing()) return false;
+  PointShaftOccluders kept;
+  const auto list = std::span(stored_).subspan(partial.occluders_begin,
+                                               partial.occluders_end - partial.occluders_begin);
+  if (shaft.cull(list, kept)) return false;
+  if (kept.empty()) return true;
+  shaft.set_occluders(kept);
+  if (target && target->column == partial.column) shaft.set_target(target->place);
+  return viewed_.backend.sees_part(shaft);
+}
+
+void RegionViews::look(std::size_t region, const Point& position, std::span<BitRows::Word> row,
+                       std::span<const BitRows::Word> wanted,
+                       const std::optional<ElementTarget>& target) const {
+  const View& view = views_[region];
+  for (const FullColumns& full : view.full) {
+    if (!is_facing(full.first, position)) continue;
+    for (std::size_t column = full.first; column < full.first + full.count; ++column) {
+      if (wanted.empty() || test(wanted, column)) set(row, column);
+    }
+  }
+  for (const PartialColumn& partial : view.partial) {
+    if (!wanted.empty() && !test(wanted, partial.column)) continue;
+    if (sees(partial, position, target)) set(row, partial.column);
+  }
+}
+
+SmallList<ShaftOccluder, 96> RegionViews::stored_occluders(std::size_t region,
+                                                           std::size_t column) const {
+  SmallList<ShaftOccluder, 96> occluders;
+  const auto& partial = views_[region].partial;
+  const auto found = std::ranges::lower_bound(partial, column, {}, &PartialColumn::column);
+  if (found == partial.end() || found->column != column) return occluders;
+  for (std::size_t i = found->occluders_begin; i < found->occluders_end; ++i) {
+    occluders.push_back({.node = leaves_[stored_[i].value]});
+  }
+  return occluders;
+}
+
+std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
+                                                      std::size_t column) const {
+  const RegionAddress address = viewed_.region.address(region);
+  const PlanarPolygon planar{positions_[region].region(),
+                             Plane(viewed_.region.parts[address.owner().value])};
+  Shaft shaft(occluders_, address, planar, viewed_.matrix.elements[column], elements_[column],
+              viewed_.one_sided);
+  if (!shaft.is_facing()) return std::nullopt;
+  const auto occluders = stored_occluders(region, column);
+  shaft.set_occluders(occluders);
+  return viewed_.backend.find_sight_line(shaft);
+}
+
+bool RegionViews::cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
+                            std::size_t column) const {
+  const PlanarPolygon planar{polygon, Plane(viewed_.region.parts[cell.owner().value])};
+  Shaft shaft(occluders_, cell, planar, viewed_.matrix.elements[column], elements_[column],
+              viewed_.one_sided);
+  if (!shaft.is_facing()) return false;
+  ShaftOccluders kept;
+  if (cull(shaft, stored_occluders(region, column), kOpenAll, kept)) return false;
+  if (kept.empty()) return true;
+  shaft.set_occluders(kept);
+  return is_visible(viewed_.backend.decide(shaft, Effort::kFull));
+}
+
+}  // namespace viewcover

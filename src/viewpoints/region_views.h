@@ -1,0 +1,111 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "links/link_set.h"
+#include "links/occluder_set.h"
+#include "links/shaft.h"
+#include "links/visibility_backend.h"
+#include "links/visibility_matrix.h"
+#include "scene/cluster_tree.h"
+#include "scene/scene.h"
+#include "scene/viewing_region.h"
+#include "viewpoints/region_positions.h"
+
+namespace viewcover {
+
+/// What viewpoints are looked for in and judged by. Borrowed.
+struct ViewedScene {
+  const Scene& scene;
+  const ClusterTree& clusters;
+  const ViewingRegion& region;
+  const LinkSet& links;
+  const VisibilityMatrix& matrix;
+  const VisibilityBackend& backend;
+  bool one_sided = false;  ///< as the links were made
+};
+
+/// A place on an element, by the element's column.
+struct ElementTarget {
+  std::size_t column = 0;
+  Point place = Point::Zero();
+};
+
+/// What is seen from points of the finest regions (paper, figure 5), by the links of the region and
+/// its ancestors: elements that a link sees fully need no decision but for the side of their plane;
+/// for the others the occluders that the link stored are culled to the cone of the viewpoint, and
+/// the backend decides where some are left.
+///
+/// An element counts as seen if a part of positive area is. From a viewpoint that touches no
+/// surface and lies in the region, everything seen is seen by the region: the open cone of the
+/// viewpoint lies in the region's shaft, and being free is an open condition, so points of the
+/// region's interior near the viewpoint see the same places (papers/viewpoints.md).
+/// Immutable; concurrent calls are allowed.
+class RegionViews {
+ public:
+  /// Cost: O(links + occluder lists + regions x elements / 64).
+  explicit RegionViews(const ViewedScene& viewed);
+
+  std::size_t region_count() const { return viewed_.matrix.bits.rows(); }
+  std::size_t column_count() const { return viewed_.matrix.bits.columns(); }
+  const VisibilityMatrix& matrix() const { return viewed_.matrix; }
+  const ViewingRegion& region() const { return viewed_.region; }
+
+  /// Where viewpoints of a region may be. Positions below are of these.
+  const RegionPositions& positions(std::size_t region) const { return positions_[region]; }
+
+  /// True if the position touches no surface. Exact.
+  bool is_free(std::size_t region, const Point& position) const;
+
+  /// Sets in `row` the bits of the columns that are seen from a free position of the region; with
+  /// `wanted`, of those among them only. Words: as in a row of the matrix. `target`: a place of an
+  /// element that is likely to be seen.
+  /// Cost: bench/viewpoints.cpp; in proportion to the wanted elements that occluders are left for.
+  void look(std::size_t region, const Point& position, std::span<BitRows::Word> row,
+            std::span<const BitRows::Word> wanted = {},
+            const std::optional<ElementTarget>& target = std::nullopt) const;
+
+  /// Ends of a sight line from the region to an element that it sees; none where the backend finds
+  /// none. Cost: a decision of the backend.
+  std::optional<SightLine> find_sight_line(std::size_t region, std::size_t column) const;
+
+  /// Does a part of a region see an element? `cell`: a node below the region, or the region; with
+  /// its polygon. Asks the backend with the occluders that are stored for the region, so the answer
+  /// of an exact one is a theorem.
+  bool cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
+                 std::size_t column) const;
+
+ private:
+  /// Columns [first, first + count) of one surface, seen fully.
+  struct FullColumns {
+    std::uint32_t first, count;
+  };
+  /// A column, and the occluders stored for it.
+  struct PartialColumn {
+    std::uint32_t column, occluders_begin, occluders_end;
+  };
+  struct View {
+    std::vector<FullColumns> full;
+    std::vector<PartialColumn> partial;  ///< ascending
+    std::vector<SurfaceId> touching;     ///< surfaces that may touch positions of the region
+  };
+
+  void add_link(std::size_t link);
+  bool is_facing(std::size_t column, const Point& position) const;
+  bool sees(const PartialColumn& partial, const Point& position,
+            const std::optional<ElementTarget>& target) const;
+  /// The occluders stored with the link of region and column; none if it is seen fully.
+  SmallList<ShaftOccluder, 96> stored_occluders(std::size_t region, std::size_t column) const;
+
+  ViewedScene viewed_;
+  OccluderSet occluders_;
+  std::vector<PlanarPolygon> elements_;
+  std::vector<RegionPositions> positions_;
+  std::vector<View> views_;
+  std::vector<OccluderId> stored_;
+  std::vector<ClusterNode> leaves_;  ///< of the cluster tree, by occluder
+};
+
+}  // namespace viewcover
