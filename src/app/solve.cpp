@@ -17,6 +17,7 @@
 #include "links/visibility_matrix.h"
 #include "optim/cover_methods.h"
 #include "optim/stopwatch.h"
+#include "report/audit_files.h"
 #include "report/bundle.h"
 #include "scene/error.h"
 #include "viewpoints/viewpoint_search.h"
@@ -112,6 +113,21 @@ std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const R
   });
 }
 
+/// What the images show of every element, into the bundle; nothing without viewpoints.
+void audit_viewpoints(const Solution& solution, const Bundle& bundle, const SolveOptions& options) {
+  remove_audit(bundle.folder());
+  if (solution.viewpoints == nullptr) return;
+  std::vector<Point> positions;
+  for (const Viewpoint& viewpoint : solution.viewpoints->viewpoints) {
+    positions.push_back(viewpoint.position);
+  }
+  const std::vector<std::uint32_t> times_visible = solution.matrix.times_visible();
+  const AuditTask task{solution.scene, solution.clusters, solution.matrix.elements,
+                       times_visible,  positions,         options.one_sided};
+  const AuditOptions audit{.stop = &interrupt_flag()};
+  tbb::task_arena(options.threads).execute([&] { write_audit(task, bundle.folder(), audit); });
+}
+
 /// The exit code; says what is missing.
 int end_of(const Solution& solution, const SolveOptions& options) {
   const std::size_t missing =
@@ -176,6 +192,7 @@ int solve(const SolveOptions& options) {
                             backend->statistics(),
                             viewpoints ? &*viewpoints : nullptr};
     bundle.write(solution);
+    audit_viewpoints(solution, bundle, options);
     stop_if_interrupted();
     seconds.total = total.seconds();
     bundle.complete(solution, backend->guarantee(), seconds);

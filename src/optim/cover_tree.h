@@ -43,7 +43,8 @@ class CoverTree {
   };
   /// Goes on until best() is proved smallest, the slice is used up or the limits expire; calls
   /// `after_node` after each node. Errors: Interrupted.
-  void search(const Slice& slice, const std::function<void()>& after_node);
+  void search(
+      const Slice& slice, const std::function<void()>& after_node = [] {});
   /// A cover from elsewhere, in case it is smaller than best().
   void offer(std::vector<std::uint32_t> cover);
 

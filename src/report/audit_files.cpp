@@ -92,6 +92,13 @@ Json to_json(const AuditSummary& summary) {
           {"area_seen_in_part", summary.area_seen_in_part}};
 }
 
+void remove_audit(const std::filesystem::path& folder) {
+  for (const char* file : {"audit.csv", "audit.vtp", "audit.json"}) {
+    std::error_code ignored;
+    std::filesystem::remove(folder / file, ignored);
+  }
+}
+
 AuditSummary write_audit(const AuditTask& task, const std::filesystem::path& folder,
                          const AuditOptions& options) {
   AuditOptions all = options;

@@ -37,6 +37,9 @@ struct AuditSummary {
 AuditSummary summary_of(const AuditTask& task, const Audit& audit);
 Json to_json(const AuditSummary& summary);
 
+/// Removes what write_audit() left of an earlier run.
+void remove_audit(const std::filesystem::path& folder);
+
 /// Audits (audit/audit.h) and writes, in `folder`:
 ///  - `audit.csv`: `element,surface,area,imaged_area,imaged_percent,images_max,images_mean,seen,
 ///    imaged_share`; seen is `wholly`, `in_part` or `not`, the share an exact fraction

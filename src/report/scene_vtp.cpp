@@ -65,24 +65,6 @@ void write_group_names(FileWriter& out, const std::vector<std::string>& groups) 
   out << "      </Array>\n    </FieldData>\n";
 }
 
-/// `Verts` or `Polys`: cells [first, last), the corners of all cells being numbered in turn.
-void write_cells(FileWriter& out, std::string_view what, const std::vector<Cell>& cells,
-                 std::size_t first, std::size_t last) {
-  out << "      <" << what << ">\n"
-      << "        <DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < first; ++i) next += cells[i].polygon.size();
-  for (std::size_t i = first; i < last; ++i) {
-    for (std::size_t k = 0; k < cells[i].polygon.size(); ++k) out << (k > 0 ? " " : "") << next++;
-    out << '\n';
-  }
-  out << "        </DataArray>\n"
-      << "        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  std::size_t end = 0;
-  for (std::size_t i = first; i < last; ++i) out << (end += cells[i].polygon.size()) << '\n';
-  out << "        </DataArray>\n      </" << what << ">\n";
-}
-
 }  // namespace
 
 void write_scene_vtp(const Solution& solution, const std::filesystem::path& file) {

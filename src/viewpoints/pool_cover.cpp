@@ -4,7 +4,7 @@
 
 #include "optim/cover_programme.h"
 #include "optim/cover_tree.h"
-#include "optim/incidence_lists.h"
+#include "optim/incidence.h"
 #include "optim/reductions.h"
 #include "optim/search_effort.h"
 #include "optim/whole_cover_search.h"
@@ -19,9 +19,8 @@ std::vector<std::uint32_t> local_search(const Incidence& incidence, std::uint64_
                                         SearchLimits& limits) {
   constexpr std::uint64_t kPatience = 3'000'000;
   constexpr double kShareOfTime = 0.1;
-  const IncidenceLists lists(incidence.bits());
   RandomNumbers random(seed);
-  WholeCoverSearch search(lists, random);
+  WholeCoverSearch search(incidence, random);
   SearchEffort effort(limits, kShareOfTime, kPatience, search.work());
   search.run(effort, 1, [] {});
   std::vector<std::uint32_t> best(search.best().begin(), search.best().end());
@@ -56,10 +55,10 @@ PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t 
   for (const CoverComponent& component : reduction.components) {
     add_prices(component, limits, cover);
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
-    tree.search(std::min(kNodesBeforeHeuristic, most_nodes));
+    tree.search({.nodes = std::min(kNodesBeforeHeuristic, most_nodes)});
     if (tree.bound() < tree.best().size()) {
       tree.offer(local_search(component.incidence, seed, limits));
-      tree.search(most_nodes);
+      tree.search({.nodes = most_nodes});
     }
     cover.lower_bound += tree.bound();
     for (const std::uint32_t row : tree.best()) cover.chosen.push_back(component.rows[row]);
