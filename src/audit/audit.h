@@ -15,7 +15,8 @@ namespace viewcover {
 
 /// A part of an element and how many viewpoints see all of it.
 struct ImagedPiece {
-  ConvexPolygon polygon;  ///< corners rounded to double; corners within edges occur
+  ConvexPolygon
+      polygon;  ///< corners off by up to 3 units in the last place; corners within edges occur
   std::uint32_t images = 0;
 };
 
