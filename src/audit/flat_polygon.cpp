@@ -22,6 +22,12 @@ long exponent_of(const BigInteger& x) {
 
 }  // namespace
 
+double quotient(const BigInteger& x, const BigInteger& w) {
+  // Two numbers cut off and a rounded quotient: (1 + 2^-52) / (1 - 2^-52) (1 + 2^-53).
+  const long exponent = exponent_of(w);
+  return scaled_double(x, exponent) / scaled_double(w, exponent);
+}
+
 FlatPoint::FlatPoint(BigInteger first, BigInteger second, BigInteger weight)
     : u(std::move(first)), v(std::move(second)), w(std::move(weight)) {
   if (sign(w) < 0) {
@@ -29,11 +35,8 @@ FlatPoint::FlatPoint(BigInteger first, BigInteger second, BigInteger weight)
     v = -v;
     w = -w;
   }
-  // Two numbers cut off and a rounded quotient: (1 + 2^-52) / (1 - 2^-52) (1 + 2^-53).
-  const long exponent = exponent_of(w);
-  const double divisor = scaled_double(w, exponent);
-  near_u = scaled_double(u, exponent) / divisor;
-  near_v = scaled_double(v, exponent) / divisor;
+  near_u = quotient(u, w);
+  near_v = quotient(v, w);
 }
 
 FlatLine::FlatLine(BigInteger first, BigInteger second, BigInteger third)

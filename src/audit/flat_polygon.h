@@ -28,6 +28,9 @@ inline BigInteger minor(const BigInteger& a, const BigInteger& b, const BigInteg
   return result;
 }
 
+/// x / w, w > 0; relative error less than 3 2^-52.
+double quotient(const BigInteger& x, const BigInteger& w);
+
 /// The point (u / w, v / w), w > 0; the three may have a common divisor.
 struct FlatPoint {
   BigInteger u, v, w;

@@ -10,7 +10,6 @@ using exact::operator-;
 using flat::FlatLine;
 using flat::FlatPoint;
 using flat::FlatPolygon;
-using flat::Rational;
 
 SpacePlane::SpacePlane(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c)
     : normal(cross(b - a, c - a)), offset(dot(normal, a)) {
@@ -54,17 +53,14 @@ FlatPolygon SurfacePlane::flat(std::span<const Point> polygon) const {
 
 ConvexPolygon SurfacePlane::lifted(const FlatPolygon& polygon) const {
   ConvexPolygon result;
+  const IntegerPoint& n = plane_.normal;
   for (const FlatPoint& p : polygon.corners()) {
-    const IntegerPoint& n = plane_.normal;
-    const Rational height(plane_.offset * p.w - n[u_] * p.u - n[v_] * p.v, n[axis_] * p.w);
+    const BigInteger height = plane_.offset * p.w - n[u_] * p.u - n[v_] * p.v;
     Point& corner = result.emplace_back();
-    const auto set = [&](std::size_t axis, const Rational& x) {
-      corner[static_cast<Eigen::Index>(axis)] =
-          std::ldexp(CGAL::to_double(x), unit_exponent(frame_));
-    };
-    set(u_, Rational(p.u, p.w));
-    set(v_, Rational(p.v, p.w));
-    set(axis_, height);
+    corner[static_cast<Eigen::Index>(u_)] = p.near_u;
+    corner[static_cast<Eigen::Index>(v_)] = p.near_v;
+    corner[static_cast<Eigen::Index>(axis_)] = flat::quotient(height, n[axis_] * p.w);
+    for (double& x : corner) x = std::ldexp(x, unit_exponent(frame_));
   }
   return result;
 }

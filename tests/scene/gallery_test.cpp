@@ -109,8 +109,8 @@ TEST_F(Gallery, BadPlansAreRefusedWithTheirLine) {
   expect_refused("0 0\n1 0\n", "plan.txt:2: the loop that ends here");
   expect_refused("0 0\n1 0\n0 1\n\n2 2\n3 3\n", "plan.txt:6: the loop that ends here");
   expect_refused("# nothing\n", "has no corners");
-  expect_refused("0 0\n1 0 0\n0 1\n", "plan.txt:2: \"1 0 0\"");
-  expect_refused("0 0\n1 x\n0 1\n", "plan.txt:2: \"1 x\"");
+  expect_refused("0 0\n1 0 0\n0 1\n", "plan.txt:2: '1 0 0'");
+  expect_refused("0 0\n1 x\n0 1\n", "plan.txt:2: '1 x'");
   expect_refused("0 0\n1 1\n1 0\n0 1\n", "plan.txt:3: the edge from here meets that from line 1");
   expect_refused("0 0\n2 0\n1 0\n1 1\n", "meets");       // runs back
   expect_refused("0 0\n2 0\n2 2\n1 0\n0 2\n", "meets");  // touches itself
