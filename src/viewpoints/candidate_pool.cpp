@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "viewpoints/column_bits.h"
+
 namespace viewcover {
-namespace {
-
-using Row = std::span<const BitRows::Word>;
-
-bool is_subset(Row inner, Row outer) {
-  for (std::size_t w = 0; w < inner.size(); ++w) {
-    if ((inner[w] & ~outer[w]) != 0) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 bool CandidatePool::add(Candidate candidate) {
   if (std::ranges::any_of(candidates_, [&](const Candidate& other) {
         return is_subset(candidate.seen, other.seen);
@@ -52,7 +41,8 @@ BitRows CandidatePool::rows() const {
 std::vector<std::size_t> CandidatePool::viewers() const {
   std::vector<std::size_t> count(columns_, 0);
   for (const Candidate& candidate : candidates_) {
-    for_each_bit(Row(candidate.seen), [&](std::size_t column) { ++count[column]; });
+    for_each_bit(std::span<const BitRows::Word>(candidate.seen),
+                 [&](std::size_t column) { ++count[column]; });
   }
   return count;
 }

@@ -23,6 +23,20 @@ constexpr double kFall = 0.005;
 /// Prices come from floating point.
 constexpr double kPriceTolerance = 1e-6;
 
+/// The columns that of some candidates only two see.
+std::vector<BitRows::Word> seen_only_by(std::span<const Candidate> candidates, std::size_t a,
+                                        std::size_t b) {
+  std::vector<BitRows::Word> only(candidates[a].seen.size());
+  for (std::size_t w = 0; w < only.size(); ++w) {
+    BitRows::Word others = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (c != a && c != b) others |= candidates[c].seen[w];
+    }
+    only[w] = (candidates[a].seen[w] | candidates[b].seen[w]) & ~others;
+  }
+  return only;
+}
+
 }  // namespace
 
 CandidateSearch::CandidateSearch(Looks& looks, const ViewpointOptions& options, CandidatePool& pool,
@@ -116,40 +130,29 @@ bool CandidateSearch::look_by_prices() {
   return promising;
 }
 
-/// For every two of the best viewpoints: what only they see, looked at from a single position.
+/// For every two of the best viewpoints: what only they see, looked at from a single position of
+/// each region that sees it all.
 void CandidateSearch::look_for_one_in_place_of_two() {
-  const RegionViews& views = looks_.views();
-  const BitRows& bits = views.matrix().bits;
+  const BitRows& bits = looks_.views().matrix().bits;
   const std::vector<double> ones(bits.columns(), 1.0);
   std::vector<ColumnWeights> needs;
-  std::vector<std::size_t> regions;
+  std::vector<std::pair<std::size_t, std::size_t>> tasks;  // a region and the number of a need
   for (std::size_t a = 0; a < best_.size(); ++a) {
     for (std::size_t b = a + 1; b < best_.size(); ++b) {
-      std::vector<BitRows::Word> need(bits.words_per_row(), 0);
-      for (std::size_t w = 0; w < need.size(); ++w) {
-        BitRows::Word others = 0;
-        for (std::size_t c = 0; c < best_.size(); ++c) {
-          if (c != a && c != b) others |= best_[c].seen[w];
-        }
-        need[w] = (best_[a].seen[w] | best_[b].seen[w]) & ~others;
-      }
-      const double all = static_cast<double>(count_bits(need));
+      const std::vector<BitRows::Word> need = seen_only_by(best_, a, b);
       for (std::size_t region = 0; region < bits.rows(); ++region) {
-        const ColumnWeights weights(need, ones);
-        if (weights.of(bits.row(region)) < all) continue;
-        needs.push_back(weights);
-        regions.push_back(region);
+        if (is_subset(need, bits.row(region))) tasks.emplace_back(region, needs.size());
       }
+      needs.emplace_back(need, ones);
     }
   }
   // As many runs as fit in two rounds, others next time.
   std::vector<AnnealingJob> jobs;
   RandomNumbers random(mixed(options_.seed + jobs_));
-  const std::size_t runs = std::min(needs.size(), 2 * kRuns);
-  const std::size_t first = runs == 0 ? 0 : random.below(needs.size());
-  for (std::size_t run = 0; run < runs; ++run) {
-    const std::size_t place = (first + run) % needs.size();
-    jobs.push_back(job(regions[place], needs[place]));
+  const std::size_t first = tasks.empty() ? 0 : random.below(tasks.size());
+  for (std::size_t run = 0; run < std::min(tasks.size(), 2 * kRuns); ++run) {
+    const auto [region, need] = tasks[(first + run) % tasks.size()];
+    jobs.push_back(job(region, needs[need]));
   }
   add(looks_.anneal(jobs));
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <bit>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "links/bit_rows.h"
+#include "viewpoints/column_bits.h"
 
 namespace viewcover {
 
@@ -15,7 +17,7 @@ struct ColumnWeights {
   explicit ColumnWeights(std::vector<double> given)
       : weights(std::move(given)), mask((weights.size() + 63) / 64, 0) {
     for (std::size_t column = 0; column < weights.size(); ++column) {
-      if (weights[column] > 0) mask[column / 64] |= BitRows::Word{1} << (column % 64);
+      if (weights[column] > 0) add_column(mask, column);
     }
   }
   /// The weights of some columns, 0 for the others.
@@ -24,10 +26,11 @@ struct ColumnWeights {
     for_each_bit(columns, [&](std::size_t column) {
       if (!(all[column] > 0)) return;
       weights[column] = all[column];
-      mask[column / 64] |= BitRows::Word{1} << (column % 64);
+      add_column(mask, column);
     });
   }
 
+  /// Of the columns of a row.
   double of(std::span<const BitRows::Word> row) const {
     double sum = 0;
     for (std::size_t w = 0; w < mask.size(); ++w) {

@@ -78,7 +78,7 @@ class PaperSearch {
       }
     }
     if (best != nullptr) {
-      for (std::size_t w = 0; w < unseen_.size(); ++w) unseen_[w] &= ~best->seen[w];
+      remove_columns(unseen_, best->seen);
       result_.chosen.push_back(*best);
     }
     const bool added = best != nullptr;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "optim/exact_cover.h"
+#include "viewpoints/column_bits.h"
 #include "viewpoints/pool_cover.h"
 
 namespace viewcover {
@@ -24,7 +25,7 @@ BoundRefinement::BoundRefinement(const RegionViews& views, std::span<const std::
     : views_(views), limits_(limits), seed_(seed) {
   const BitRows& bits = views.matrix().bits;
   std::vector<BitRows::Word> asked(bits.words_per_row(), 0);
-  for (const std::uint32_t column : columns) asked[column / 64] |= BitRows::Word{1} << column % 64;
+  for (const std::uint32_t column : columns) add_column(asked, column);
   for (std::size_t region = 0; region < bits.rows(); ++region) {
     Cell& cell = cells_.emplace_back();
     cell.address = views.region().address(region);
@@ -61,7 +62,8 @@ void BoundRefinement::keep_proof(const BitRows& rows) {
   CoverOptions options;
   options.goal = CoverGoal::kWholeCover;
   options.seed = seed_;
-  options.time_limit_seconds = limits_.seconds_left();
+  // 0 would be none.
+  options.time_limit_seconds = std::max(limits_.seconds_left(), 1e-3);
   const CoverInstance instance(rows, std::vector<double>(rows.columns(), 1.0));
   const RegionCover proved = ExactCover().solve(instance, options);
   if (proved.lower_bound <= bound_.lower_bound) return;
@@ -104,7 +106,7 @@ void BoundRefinement::split(std::span<const std::size_t> parents) {
              std::vector<BitRows::Word>(parent.seen.size(), 0)};
     for_each_bit(std::span<const BitRows::Word>(parent.seen), [&](std::size_t column) {
       if (limits_.due() || views_.cell_sees(child.region, child.address, child.polygon, column)) {
-        child.seen[column / 64] |= BitRows::Word{1} << column % 64;
+        add_column(child.seen, column);
       }
     });
   });

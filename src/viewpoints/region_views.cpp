@@ -4,20 +4,9 @@
 
 #include "links/cull.h"
 #include "links/point_shaft.h"
+#include "viewpoints/column_bits.h"
 
 namespace viewcover {
-namespace {
-
-bool test(std::span<const BitRows::Word> row, std::size_t column) {
-  return row[column / 64] >> (column % 64) & 1;
-}
-
-void set(std::span<BitRows::Word> row, std::size_t column) {
-  row[column / 64] |= BitRows::Word{1} << (column % 64);
-}
-
-}  // namespace
-
 RegionViews::RegionViews(const ViewedScene& viewed)
     : viewed_(viewed),
       occluders_(viewed.scene, viewed.clusters, viewed.region),
@@ -104,12 +93,12 @@ void RegionViews::look(std::size_t region, const Point& position, std::span<BitR
   for (const FullColumns& full : view.full) {
     if (!is_facing(full.first, position)) continue;
     for (std::size_t column = full.first; column < full.first + full.count; ++column) {
-      if (wanted.empty() || test(wanted, column)) set(row, column);
+      if (wanted.empty() || has_column(wanted, column)) add_column(row, column);
     }
   }
   for (const PartialColumn& partial : view.partial) {
-    if (!wanted.empty() && !test(wanted, partial.column)) continue;
-    if (sees(partial, position, target)) set(row, partial.column);
+    if (!wanted.empty() && !has_column(wanted, partial.column)) continue;
+    if (sees(partial, position, target)) add_column(row, partial.column);
   }
 }
 

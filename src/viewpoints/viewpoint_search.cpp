@@ -31,7 +31,7 @@ void order_by_area(std::vector<Candidate> candidates, const VisibilityMatrix& ma
     const auto best = std::ranges::max_element(
         candidates, {}, [&](const Candidate& candidate) { return weights.of(candidate.seen); });
     if (weights.of(best->seen) == 0) break;
-    for (std::size_t w = 0; w < unseen.size(); ++w) unseen[w] &= ~best->seen[w];
+    remove_columns(unseen, best->seen);
     const double left = weight_of(unseen, matrix.areas);
     set.covered_percent.push_back(left == 0 ? 100 : 100 * (1 - left / total));
     order.push_back(*best);

@@ -15,15 +15,18 @@ using ::testing::HasSubstr;
 
 class Verify : public ::testing::Test {
  protected:
-  void SetUp() override {
+  void SetUp() override { solve({"--backend", "rays", "--regions", "16"}); }
+
+  /// The living room into bundle().
+  void solve(std::vector<std::string> options) const {
     const std::string scene = (folder_.path() / "scene.obj").string();
     ASSERT_EQ(
         viewcover_run({"generate", "living-room", "--detail", "simple", "-o", scene}).exit_code, 0);
-    ASSERT_EQ(
-        viewcover_run({"solve", scene, "--region", (folder_.path() / "scene.region.json").string(),
-                       "--backend", "rays", "--regions", "16", "-o", bundle().string(), "--quiet"})
-            .exit_code,
-        0);
+    options.insert(options.begin(),
+                   {"solve", scene, "--region", (folder_.path() / "scene.region.json").string(),
+                    "-o", bundle().string(), "--quiet"});
+    const Outcome outcome = viewcover_run(options);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   }
   std::filesystem::path bundle() const { return folder_.path() / "bundle"; }
   Outcome verify() const { return viewcover_run({"verify", bundle().string()}); }
@@ -119,13 +122,7 @@ TEST_F(Verify, FindsAMissingViewpoint) {
 class VerifyBound : public Verify {
  protected:
   void SetUp() override {
-    const std::string scene = (folder_.path() / "scene.obj").string();
-    ASSERT_EQ(
-        viewcover_run({"generate", "living-room", "--detail", "simple", "-o", scene}).exit_code, 0);
-    const Outcome outcome = viewcover_run(
-        {"solve", scene, "--region", (folder_.path() / "scene.region.json").string(), "--regions",
-         "4", "--element-area", "2", "-o", bundle().string(), "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    solve({"--regions", "4", "--element-area", "2"});
     const Json results = run_json(bundle()).at("results");
     ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));
     ASSERT_EQ(verify().exit_code, 0);

@@ -106,7 +106,7 @@ TEST_P(LivingRooms, AreSeenWholeWhateverTheThreads) {
   const auto [detail, exact] = GetParam();
   auto loaded = testing::load_generated(living_room(detail), 16);
   // Large elements for the larger room: as many pairs, and more occluders.
-  const double area = default_element_area(loaded.scene) * (detail == RoomDetail::kSimple ? 1 : 8);
+  const double area = default_element_area(loaded.scene) * (detail == RoomDetail::kSimple ? 2 : 16);
   std::unique_ptr<VisibilityBackend> backend;
   if (exact) {
     backend = std::make_unique<ExactBackend>(1);
