@@ -142,7 +142,8 @@ TEST_F(BundleTest, IsIncompleteUntilTheEnd) {
   EXPECT_EQ(run_json().at("complete"), false);
   bundle.write(solution());
   EXPECT_EQ(run_json().at("complete"), false);
-  bundle.complete(solution(), Guarantee::kExact, {.visibility = 1, .cover = 2, .viewpoints = 0, .total = 3});
+  bundle.complete(solution(), Guarantee::kExact,
+                  {.visibility = 1, .cover = 2, .viewpoints = 0, .total = 3});
   const Json run = run_json();
   EXPECT_EQ(run.at("complete"), true);
   EXPECT_EQ(run.at("version"), build_info().version);
