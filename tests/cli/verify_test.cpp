@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class Verify : public ::testing::Test {
  protected:
-  void SetUp() override { solve({"--backend", "rays", "--regions", "16"}); }
+  void SetUp() override { solve({"--backend", "rays", "--regions", "16", "--viewpoints", "none"}); }
 
   /// The living room into bundle().
   void solve(std::vector<std::string> options) const {
@@ -86,7 +86,15 @@ TEST_F(Verify, FindsAWrongProof) {
   expect_contradiction("cover.proof proves");
 }
 
-TEST_F(Verify, FindsAViewpointOutsideItsRegion) {
+class VerifyViewpoints : public Verify {
+ protected:
+  void SetUp() override {
+    if (sanitized()) GTEST_SKIP() << "a search of ten seconds under sanitizers, for each test";
+    solve({"--backend", "rays", "--regions", "4", "--element-area", "2"});
+  }
+};
+
+TEST_F(VerifyViewpoints, FindsAViewpointOutsideItsRegion) {
   // As little as one unit in the last place beside the region's plane.
   const Table viewpoints(bundle() / "viewpoints.csv");
   const std::string z = viewpoints.rows[0][viewpoints.column("z")];
@@ -96,7 +104,7 @@ TEST_F(Verify, FindsAViewpointOutsideItsRegion) {
   damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
   expect_contradiction("each viewpoint lies in its region");
 }
-TEST_F(Verify, FindsAViewpointThatSeesMoreThanItsRegion) {
+TEST_F(VerifyViewpoints, FindsAViewpointThatSeesMoreThanItsRegion) {
   // Each entry of the matrix of regions that a viewpoint depends on matters: drop the columns of
   // one element, which its region then does not see.
   std::istringstream in(read_file(bundle() / "viewpoints.mtx"));
@@ -110,11 +118,11 @@ TEST_F(Verify, FindsAViewpointThatSeesMoreThanItsRegion) {
   damage("visibility.mtx", "\n" + region + " " + column + "\n", "\n" + region + " 1\n");
   expect_contradiction("each viewpoint sees no more than its region");
 }
-TEST_F(Verify, FindsAWrongShareOfViewpoints) {
+TEST_F(VerifyViewpoints, FindsAWrongShareOfViewpoints) {
   damage("viewpoints.csv", ",100,", ",99,");
   expect_contradiction("viewpoints.csv states");
 }
-TEST_F(Verify, FindsAMissingViewpoint) {
+TEST_F(VerifyViewpoints, FindsAMissingViewpoint) {
   damage("run.json", "\"viewpoints\": \\d+", "\"viewpoints\": 1");
   expect_contradiction("viewpoints.csv, viewpoints.mtx and run.json agree");
 }
@@ -122,6 +130,7 @@ TEST_F(Verify, FindsAMissingViewpoint) {
 class VerifyBound : public Verify {
  protected:
   void SetUp() override {
+    if (sanitized()) GTEST_SKIP() << "a search of ten seconds under sanitizers, for each test";
     solve({"--regions", "4", "--element-area", "2"});
     const Json results = run_json(bundle()).at("results");
     ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));

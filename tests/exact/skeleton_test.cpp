@@ -523,7 +523,7 @@ TEST(Skeleton, GenericNodesHaveFourArcs) {
 
 /// The same query in other words: nodes and arcs do not depend on how cells are cut.
 TEST(Skeleton, OccludersMayBeShuffledAndRepeated) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (sanitized() ? 5 : 20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomNumbers random(seed);
     const SightQuery query = random_triangles(random, 4, 6);
@@ -543,7 +543,7 @@ TEST(Skeleton, OccludersMayBeShuffledAndRepeated) {
 
 /// A diagonal is one more edge: it may pin lines in the quadrilateral's plane, never fewer.
 TEST(Skeleton, TriangulationKeepsNodes) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (sanitized() ? 5 : 20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomNumbers random(seed);
     SightQuery query = query_of(square(8, 0), square(8, 16)), triangulated = query;
@@ -618,8 +618,9 @@ TEST(Skeleton, WallThroughTheRegionHasAnEdgeThere) {
 
 /// Cases of all sorts: contact, rooms, planes that cut, enclosures.
 TEST(Skeleton, IsEmptyIffHiddenAndTheSameInAllPoses) {
-  std::size_t count = 0;
+  std::size_t count = 0, number = 0;
   for (const QueryCase& c : query_cases()) {
+    if (sanitized() && number++ % 4 != 0) continue;
     SCOPED_TRACE("case: " + c.name);
     const SkeletonGraph graph = visibility_skeleton(c.query);
     EXPECT_EQ(boost::num_vertices(graph) > 0, c.visible);
@@ -635,7 +636,7 @@ TEST(Skeleton, IsEmptyIffHiddenAndTheSameInAllPoses) {
       EXPECT_EQ(arc_kinds(other), arc_kinds(graph));
     }
   }
-  EXPECT_GT(count, 1000u);
+  EXPECT_GT(count, sanitized() ? 100u : 1000u);
 }
 
 }  // namespace
