@@ -229,7 +229,8 @@ TEST(Solve, ExactIsTheDefaultAndGivesALowerBound) {
   const Json summary = Json::parse(last_line(outcome.out));
   EXPECT_EQ(summary.at("backend"), "exact");
   EXPECT_GE(summary.at("lower_bound"), 1);
-  EXPECT_EQ(summary.at("lower_bound"), summary.at("optimal_regions"));
+  // Raised above the cover by regions, never below it.
+  EXPECT_GE(summary.at("lower_bound"), summary.at("optimal_regions"));
   EXPECT_EQ(summary.at("proved"), true);
   const Json run = run_json(bundle);
   EXPECT_EQ(run.at("verdicts").at("hidden_all_rays_blocked"), 0);
@@ -262,7 +263,7 @@ TEST(Solve, OptionsReachTheRun) {
   const Json options = run_json(room.bundle()).at("options");
   EXPECT_EQ(options, Json::parse(R"({"backend": "rays", "rays": 4, "sampling": "stratified",
       "regions": 16, "element_area": 0.5, "optimizer": "exact", "viewpoints": "none",
-      "close_gap": null, "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "lattice": 16,
+      "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "close_gap": null, "lattice": 16,
       "merge_coplanar": true, "allow_outside": true})"));
   EXPECT_EQ(Table(room.bundle() + "/regions.csv").rows.size(), 16u);
   EXPECT_EQ(run_json(room.bundle()).at("scene").at("lattice_exponent"), 16);

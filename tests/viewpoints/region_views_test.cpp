@@ -35,7 +35,7 @@ std::unique_ptr<SolvedScene> solved_room(std::size_t regions, bool one_sided = f
 void expect_right(const SolvedScene& solved, std::size_t region, const Point& position,
                   RandomNumbers& random, int& seen, int& unseen) {
   const Words row = seen_from(solved.views, region, position);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 60; ++i) {
     // Half of them from what the region sees: the others are known to be hidden.
     std::size_t column = random.below(solved.views.column_count());
     while (i % 2 == 0 && !solved.matrix.bits.test(region, column)) {
