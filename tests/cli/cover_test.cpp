@@ -115,7 +115,7 @@ TEST_F(Cover, TimeLimitAndInterruptGiveTheBestSoFar) {
   EXPECT_GE(limited.at("lower_bound"), 1);
   EXPECT_GE(limited.at("size"), 17);
 
-  Process process({viewcover_program(), "cover", matrix, "--quiet"});
+  Process process({VIEWCOVER_BINARY, "cover", matrix, "--quiet"});
   ::usleep(1'500'000);
   ASSERT_TRUE(process.running()) << process.error();
   process.signal(SIGINT);

@@ -70,7 +70,6 @@ TEST(Solve, FindsViewpointsAndTheirBoundByDefault) {
 }
 
 TEST(Solve, ViewpointsDependOnNoThreads) {
-  if (sanitized()) GTEST_SKIP() << "two long searches";
   const RoomFolder room;
   for (const char* threads : {"1", "2"}) {
     const Outcome outcome = room.solve(
@@ -297,7 +296,7 @@ TEST(Solve, RepairsAreOneLine) {
 TEST(Solve, InterruptLeavesAnIncompleteBundle) {
   const RoomFolder room;
   // A run of many minutes, so that it cannot end by itself before the signal.
-  Process process({viewcover_program(), "solve", room.scene(), "--region", room.region(), "-o",
+  Process process({VIEWCOVER_BINARY, "solve", room.scene(), "--region", room.region(), "-o",
                    room.bundle(), "--regions", "4096", "--element-area", "0.001", "--rays",
                    "1000"});
   while (process.running() && !std::filesystem::exists(room.bundle() + "/run.json")) {
@@ -317,7 +316,7 @@ TEST(Solve, AKilledRunLeavesAnIncompleteBundle) {
   const RoomFolder room;
   ASSERT_EQ(room.solve("bundle").exit_code, 0);
   ASSERT_TRUE(is_complete(room.bundle()));
-  Process process({viewcover_program(), "solve", room.scene(), "--region", room.region(), "-o",
+  Process process({VIEWCOVER_BINARY, "solve", room.scene(), "--region", room.region(), "-o",
                    room.bundle(), "--regions", "4096", "--element-area", "0.001", "--rays",
                    "1000"});
   while (process.running() && is_complete(room.bundle())) ::usleep(1000);

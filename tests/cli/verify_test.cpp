@@ -88,10 +88,7 @@ TEST_F(Verify, FindsAWrongProof) {
 
 class VerifyViewpoints : public Verify {
  protected:
-  void SetUp() override {
-    if (sanitized()) GTEST_SKIP() << "a search of ten seconds under sanitizers, for each test";
-    solve({"--backend", "rays", "--regions", "4", "--element-area", "2"});
-  }
+  void SetUp() override { solve({"--backend", "rays", "--regions", "4", "--element-area", "2"}); }
 };
 
 TEST_F(VerifyViewpoints, FindsAViewpointOutsideItsRegion) {
@@ -129,7 +126,6 @@ TEST_F(VerifyViewpoints, FindsAMissingViewpoint) {
 class VerifyBound : public Verify {
  protected:
   void SetUp() override {
-    if (sanitized()) GTEST_SKIP() << "a search of ten seconds under sanitizers, for each test";
     solve({"--regions", "4", "--element-area", "2"});
     const Json results = run_json(bundle()).at("results");
     ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));

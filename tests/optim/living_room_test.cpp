@@ -5,6 +5,7 @@
 
 #include "reference_cover.h"
 #include "support/process.h"
+#include "support/sanitized.h"
 
 namespace viewcover {
 namespace {

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "scene/scratch_folder.h"
-#include "support/sanitized.h"
 
 namespace viewcover::testing {
 
@@ -91,17 +90,12 @@ struct Outcome {
   std::string error;
 };
 
-/// The program under test.
-inline std::string viewcover_program() {
-  return sanitized() ? VIEWCOVER_BINARY "_sanitized" : VIEWCOVER_BINARY;
-}
-
 /// Runs viewcover to its end.
 inline Outcome viewcover_run(const std::vector<std::string>& arguments,
                              Process::Limits limits = {}) {
   std::vector<std::string> command;
   command.reserve(arguments.size() + 1);
-  command.push_back(viewcover_program());
+  command.emplace_back(VIEWCOVER_BINARY);
   for (const std::string& argument : arguments) command.push_back(argument);
   Process process(std::move(command), limits);
   const int exit_code = process.wait();
