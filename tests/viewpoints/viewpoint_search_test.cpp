@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Details, LivingRooms,
 
 TEST_P(LivingRooms, AreSeenWholeWhateverTheThreads) {
   const auto [detail, exact] = GetParam();
-  if (testing::sanitized()) GTEST_SKIP() << "minutes";
+  if (testing::sanitized()) GTEST_SKIP() << "minutes under sanitizers";
   auto loaded = testing::load_generated(living_room(detail), 16);
   // Large elements for the larger room: as many pairs, and more occluders.
   const double area = default_element_area(loaded.scene) * (detail == RoomDetail::kSimple ? 2 : 16);
