@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/solve_options.h"
 #include "app/solve_tables.h"
+#include "full_coverage/full_search.h"
 #include "links/refine.h"
 #include "links/visibility_matrix.h"
 #include "optim/cover_methods.h"
@@ -82,6 +83,7 @@ RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& o
 std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const RegionCover& cover,
                                               double seconds_used, const SolveOptions& options) {
   if (!options.find_viewpoints) return std::nullopt;
+  const Stopwatch watch;
   ViewpointProgress progress;
   const Progress shown(
       "viewpoints",
@@ -109,7 +111,19 @@ std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const R
   search.stop = &interrupt_flag();
   search.progress = &progress;
   return tbb::task_arena(options.threads).execute([&] {
-    return find_viewpoints(RegionViews(viewed), search);
+    const RegionViews views(viewed);
+    ViewpointSet parts = find_viewpoints(views, search);
+    if (!options.full_coverage) return parts;
+    FullCoverageOptions full;
+    full.missed_share = options.missed_share;
+    full.seed = options.seed;
+    if (options.time_limit_seconds > 0) {
+      full.time_limit_seconds =
+          std::max(options.time_limit_seconds - seconds_used - watch.seconds(), kLeastTimeLimit);
+    }
+    full.stop = &interrupt_flag();
+    full.progress = &progress;
+    return find_full_coverage(views, parts, full);
   });
 }
 

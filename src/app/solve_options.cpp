@@ -34,7 +34,7 @@ void refuse_what_is_not_here(const SolveText& text) {
   require_available("--optimizer", text.optimizer, names_of(cover_methods()));
   require_available("--sampling", text.sampling, std::array{"plain"sv, "stratified"sv});
   require_available("--viewpoints", text.viewpoints, std::array{"sa"sv, "none"sv});
-  require_available("--coverage", text.coverage, std::array{"elements"sv});
+  require_available("--coverage", text.coverage, std::array{"elements"sv, "full"sv});
   if (text.resume) throw InputError("--resume", "not in this version", "start the run anew");
 }
 
@@ -62,7 +62,15 @@ void SolveText::add_to(CLI::App& command) {
          "A");
   option("--optimizer", optimizer, "how regions are chosen: " + optimizer_names, "NAME");
   option("--viewpoints", viewpoints, "viewpoint search: sa (default) or none", "NAME");
-  option("--coverage", coverage, "what a viewpoint must see: elements", "KIND");
+  option("--coverage", coverage,
+         "what viewpoints must do: see a part of each element (elements, default) or image all "
+         "that is "
+         "visible (full)",
+         "KIND");
+  option("--missed-share", missed_share,
+         "with --coverage full: share of the area imaged that one more image may add (default: "
+         "0.0001)",
+         "SHARE");
   command.add_flag("--one-sided", one_sided, "only the front of a surface counts as visible");
   option("--clearance", clearance, "least distance of a camera from any surface (default: 0)", "D");
   option("--time-limit", time_limit,
@@ -110,6 +118,24 @@ SolveOptions::SolveOptions(const SolveText& text)
     time_limit_seconds = positive_option("--time-limit", text.time_limit);
   }
   find_viewpoints = text.viewpoints == "sa";
+  full_coverage = text.coverage == "full";
+  if (full_coverage && !find_viewpoints) {
+    throw InputError("--coverage", "full is about viewpoints", "use it with --viewpoints sa");
+  }
+  if (full_coverage && text.backend != "exact") {
+    throw InputError("--coverage", "random rays do not tell what is imaged wholly",
+                     "use full with --backend exact");
+  }
+  if (!text.missed_share.empty()) {
+    missed_share = positive_option("--missed-share", text.missed_share);
+    if (!full_coverage) {
+      throw InputError("--missed-share", "is about full coverage", "use it with --coverage full");
+    }
+    if (missed_share >= 1) {
+      throw InputError("--missed-share", text.missed_share + " is all there is",
+                       "give a share below 1, such as 0.0001");
+    }
+  }
   if (!text.close_gap.empty()) {
     close_gap_seconds = non_negative_option("--close-gap", text.close_gap);
     if (!find_viewpoints) {
@@ -135,6 +161,8 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["element_area"] = used_element_area;
   options["optimizer"] = optimizer;
   options["viewpoints"] = find_viewpoints ? "sa" : "none";
+  options["coverage"] = full_coverage ? "full" : "elements";
+  options["missed_share"] = full_coverage ? Json(missed_share) : Json(nullptr);
   options["one_sided"] = one_sided;
   options["clearance"] = clearance;
   options["time_limit"] = time_limit_seconds > 0 ? Json(time_limit_seconds) : Json(nullptr);

@@ -17,7 +17,7 @@ struct SolveText {
   std::string scene_file, region_file, output;
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
-  std::string optimizer, viewpoints = "sa", coverage = "elements";
+  std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
   std::string clearance = "0", time_limit, close_gap, lattice;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
 
@@ -39,6 +39,8 @@ struct SolveOptions {
   bool one_sided = false;
   double clearance = 0;
   bool find_viewpoints = true;
+  bool full_coverage = false;               ///< image all visible area, not a part of each element
+  double missed_share = 1e-4;               ///< of the area imaged, that one more image may add
   double time_limit_seconds = 0;            ///< 0: none
   std::optional<double> close_gap_seconds;  ///< default: some rounds
   std::optional<int> lattice_exponent;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "full_coverage/full_coverage.h"
 #include "report/machine.h"
 
 namespace viewcover {
@@ -12,11 +13,18 @@ namespace {
 
 std::string viewpoint_tables(const ViewpointSet& set, std::size_t regions, Guarantee guarantee,
                              double seconds) {
-  std::string text =
-      fmt::format("\n{:>10} {:>16} {:>14}\n", "viewpoints", "percent", "found at (s)");
+  const FullCoverage* full = set.full.get();
+  std::string text = fmt::format("\n{:>10} {:>16} {:>14}{}\n", "viewpoints", "percent",
+                                 "found at (s)", full != nullptr ? "   area imaged (%)" : "");
   for (std::size_t i = 0; i < set.viewpoints.size(); ++i) {
     text +=
-        fmt::format("{:>10} {:>16.4f} {:>14.3f}\n", i + 1, set.covered_percent[i], set.seconds[i]);
+        fmt::format("{:>10} {:>16.4f} {:>14.3f}", i + 1, set.covered_percent[i], set.seconds[i]);
+    if (full != nullptr) text += fmt::format(" {:>17.4f}", full->imaged_percent[i]);
+    text += '\n';
+  }
+  if (full != nullptr) {
+    text += fmt::format("No further viewpoint that was found adds more than {:.4f} %.\n",
+                        full->further_gain_percent);
   }
   text += fmt::format("\n{:>10} {:>16} {:>14} {:>10} {:>16}\n", "regions", "viewpoints",
                       "lower bound", "gap", "search (s)");

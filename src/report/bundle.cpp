@@ -35,6 +35,7 @@ void Bundle::write(const Solution& solution) const {
   write_proof(solution, folder_ / "cover.proof");
   write_viewpoints(solution, folder_ / "viewpoints.csv");
   write_viewpoint_visibility(solution, folder_ / "viewpoints.mtx");
+  write_witnesses(solution, folder_ / "witnesses.csv");
   write_refined_bound(solution, folder_);
   write_scene_vtp(solution, folder_ / "scene.vtp");
   write_surface_mesh(solution, folder_ / "surface.ply");

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "full_coverage/full_coverage.h"
 #include "report/build_info.h"
 #include "report/machine.h"
 #include "report/sha256.h"
@@ -96,6 +97,13 @@ void add_results(Json& record, const Solution& solution, Guarantee guarantee,
     results["positions"] = set->positions;
     results["candidates"] = set->candidates;
     results["least_fractional_cover_by_candidates"] = set->relaxation;
+    if (const FullCoverage* full = set->full.get()) {
+      results["imaged_percent"] = full->imaged_percent.back();
+      results["further_gain_percent"] = full->further_gain_percent;
+      results["further_positions"] = full->further_positions;
+      results["witnesses"] = full->witnesses.size();
+      results["bound_columns"] = full->bound_is_of_witnesses ? "witnesses" : "elements";
+    }
   }
   Json& measured = record["measured"];
   // Where a time limit strikes depends on the machine.
@@ -121,6 +129,9 @@ Json summary_line(const Solution& solution, std::string_view backend, Guarantee 
   if (guarantee == Guarantee::kExact) line["lower_bound"] = solution.lower_bound();
   line["viewpoints"] = nullptr;
   if (solution.viewpoints != nullptr) line["viewpoints"] = solution.viewpoints->viewpoints.size();
+  if (solution.viewpoints != nullptr && solution.viewpoints->full != nullptr) {
+    line["imaged_percent"] = solution.viewpoints->full->imaged_percent.back();
+  }
   line["seconds"] = seconds_of(seconds);
   line["peak_memory_kb"] = peak_memory_kb();
   return line;

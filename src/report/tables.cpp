@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "full_coverage/full_coverage.h"
 #include "optim/cover_proof.h"
 #include "report/file_writer.h"
 #include "viewpoints/refined_bound.h"
@@ -177,12 +178,17 @@ void write_proof(const Solution& solution, const std::filesystem::path& file) {
 
 void write_viewpoints(const Solution& solution, const std::filesystem::path& file) {
   FileWriter out(file);
-  out << "viewpoint,x,y,z,region,covered_area_percent,seconds\n";
-  if (const ViewpointSet* set = solution.viewpoints) {
+  const ViewpointSet* set = solution.viewpoints;
+  const bool is_full = set != nullptr && set->full != nullptr;
+  out << "viewpoint,x,y,z,region,covered_area_percent,seconds"
+      << (is_full ? ",imaged_area_percent\n" : "\n");
+  if (set != nullptr) {
     for (std::size_t i = 0; i < set->viewpoints.size(); ++i) {
       const auto& [position, region] = set->viewpoints[i];
       out << i + 1 << ',' << position.x() << ',' << position.y() << ',' << position.z() << ','
-          << region + 1 << ',' << set->covered_percent[i] << ',' << set->seconds[i] << '\n';
+          << region + 1 << ',' << set->covered_percent[i] << ',' << set->seconds[i];
+      if (is_full) out << ',' << set->full->imaged_percent[i];
+      out << '\n';
     }
   }
   out.commit();
@@ -196,6 +202,23 @@ void write_viewpoint_visibility(const Solution& solution, const std::filesystem:
   write_bits(solution.viewpoints->seen,
              "rows: viewpoints, columns: elements, in the order of viewpoints.csv and elements.csv",
              file);
+}
+
+/// The places that the viewpoints have to see beyond a part of each element.
+void write_witnesses(const Solution& solution, const std::filesystem::path& file) {
+  if (solution.viewpoints == nullptr || solution.viewpoints->full == nullptr) {
+    std::filesystem::remove(file);
+    return;
+  }
+  FileWriter out(file);
+  out << "witness,element,x,y,z\n";
+  const std::vector<ElementTarget>& witnesses = solution.viewpoints->full->witnesses;
+  for (std::size_t i = 0; i < witnesses.size(); ++i) {
+    const auto& [column, place] = witnesses[i];
+    out << i + 1 << ',' << column + 1 << ',' << place.x() << ',' << place.y() << ',' << place.z()
+        << '\n';
+  }
+  out.commit();
 }
 
 void write_refined_bound(const Solution& solution, const std::filesystem::path& folder) {
@@ -217,8 +240,13 @@ void write_refined_bound(const Solution& solution, const std::filesystem::path& 
         << bound.cells[i].path() << '\n';
   }
   out.commit();
-  write_bits(bound.seen,
-             "rows: cells, columns: elements, in the order of bound.csv and elements.csv", matrix);
+  const std::shared_ptr<const FullCoverage>& full = solution.viewpoints->full;
+  const std::string columns =
+      full != nullptr && full->bound_is_of_witnesses ? "witnesses" : "elements";
+  write_bits(
+      bound.seen,
+      "rows: cells, columns: " + columns + ", in the order of bound.csv and " + columns + ".csv",
+      matrix);
   write_proof_of(bound.seen, *bound.proof, proof);
 }
 

@@ -45,10 +45,15 @@ void write_viewpoints(const Solution& solution, const std::filesystem::path& fil
 /// looked for, nor one of an earlier run.
 void write_viewpoint_visibility(const Solution& solution, const std::filesystem::path& file);
 
+/// `witness,element,x,y,z`: places that viewpoints of full coverage see, beyond a part of each
+/// element (full_coverage/witnesses.h). No file where that was not asked for.
+void write_witnesses(const Solution& solution, const std::filesystem::path& file);
+
 /// The certificate of a lower bound that was raised above the region cover's
 /// (viewpoints/refined_bound.h): `bound.csv`, `cell,region,part,level,path`; `bound.mtx`, its rows
-/// the cells, columns that were not needed empty; `bound.proof`, as write_proof against that
-/// matrix. No files, nor those of an earlier run, where it was not raised.
+/// the cells, its columns elements or, for full coverage, witnesses, those not needed empty;
+/// `bound.proof`, as write_proof against that matrix. No files, nor those of an earlier run, where
+/// it was not raised.
 void write_refined_bound(const Solution& solution, const std::filesystem::path& folder);
 
 }  // namespace viewcover

@@ -17,12 +17,10 @@ double between(double first, double last, double share) {
 
 }  // namespace
 
-AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
-                                 const ColumnWeights& weights, const AnnealingOptions& options) {
+AnnealedPosition anneal_position(const RegionPositions& positions, double most,
+                                 const PositionBenefit& benefit_of,
+                                 const AnnealingOptions& options) {
   RandomNumbers random(options.seed);
-  const RegionPositions& positions = views.positions(region);
-  const double most = weights.of(views.matrix().bits.row(region));
-  std::vector<BitRows::Word> row(weights.mask.size());
   AnnealedPosition result;
   Point current = options.start.value_or(positions.random(random));
   double current_benefit = -1;
@@ -31,24 +29,35 @@ AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
     const Point next =
         i == 0 ? current : positions.near(current, between(kFirstStep, kLastStep, share), random);
     const double chance = random.open_unit();
-    if (!views.is_free(region, next)) continue;
-    std::ranges::fill(row, BitRows::Word{0});
-    views.look(region, next, row, weights.mask);
+    const std::optional<double> benefit = benefit_of(next);
+    if (!benefit) continue;
     ++result.evaluations;
-    const double benefit = weights.of(row);
-    if (result.records.empty() || benefit > result.benefit) {
+    if (result.records.empty() || *benefit > result.benefit) {
       result.records.push_back(next);
-      result.benefit = benefit;
+      result.benefit = *benefit;
     }
     const double temperature = most * between(kFirstTemperature, kLastTemperature, share);
-    if (benefit >= current_benefit ||
-        chance < std::exp((benefit - current_benefit) / temperature)) {
+    if (*benefit >= current_benefit ||
+        chance < std::exp((*benefit - current_benefit) / temperature)) {
       current = next;
-      current_benefit = benefit;
+      current_benefit = *benefit;
     }
     if (result.benefit >= most) break;
   }
   return result;
+}
+
+AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
+                                 const ColumnWeights& weights, const AnnealingOptions& options) {
+  std::vector<BitRows::Word> row(weights.mask.size());
+  const auto weight_seen = [&](const Point& position) -> std::optional<double> {
+    if (!views.is_free(region, position)) return std::nullopt;
+    std::ranges::fill(row, BitRows::Word{0});
+    views.look(region, position, row, weights.mask);
+    return weights.of(row);
+  };
+  return anneal_position(views.positions(region), weights.of(views.matrix().bits.row(region)),
+                         weight_seen, options);
 }
 
 }  // namespace viewcover

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,10 +23,18 @@ struct AnnealedPosition {
   std::size_t evaluations = 0;
 };
 
-/// Simulated annealing for the position in a region from which the columns seen weigh most (paper,
-/// section 2.4). Steps shrink from half the region to a hundredth, the temperature falls with them.
-/// Ends early when everything is seen that the region sees. Without a free position there are no
-/// records. Only columns with a weight are looked at. Same seed, same positions. Thread-safe.
+/// What a position is worth; none if no viewpoint may be there.
+using PositionBenefit = std::function<std::optional<double>(const Point&)>;
+
+/// Simulated annealing for the position of most benefit (paper, section 2.4). Steps shrink from
+/// half the region to a hundredth, the temperature falls with them. Ends early at a benefit of
+/// `most`. Without a free position there are no records. Same seed, same positions. Thread-safe.
+AnnealedPosition anneal_position(const RegionPositions& positions, double most,
+                                 const PositionBenefit& benefit_of,
+                                 const AnnealingOptions& options);
+
+/// The same for the weight of the columns seen from the position. Only columns with a weight are
+/// looked at.
 AnnealedPosition anneal_position(const RegionViews& views, std::size_t region,
                                  const ColumnWeights& weights, const AnnealingOptions& options);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "optim/cover_proof.h"
+#include "viewpoints/cell_views.h"
 #include "viewpoints/looks.h"
 
 namespace viewcover {
@@ -17,7 +18,7 @@ namespace viewcover {
 struct RefinedBound {
   std::size_t lower_bound = 0;
   std::vector<RegionAddress> cells;  ///< rows, ascending
-  BitRows seen;                      ///< #cells x #elements; columns that were not asked are empty
+  BitRows seen;                      ///< #cells x #columns; columns that were not asked are empty
   std::shared_ptr<const CoverProof> proof;  ///< of lower_bound, for the canonical matrix of `seen`
 };
 
@@ -31,9 +32,13 @@ struct RefinedBound {
 /// Not safe for concurrent use; decides in parallel.
 class BoundRefinement {
  public:
-  /// `columns`: ascending. The views and limits must outlive the refinement.
-  BoundRefinement(const RegionViews& views, std::span<const std::uint32_t> columns,
+  /// The views and limits must outlive the refinement.
+  BoundRefinement(const CellViews& views, std::span<const std::uint32_t> columns,
                   SearchLimits& limits, std::uint64_t seed);
+
+  /// Names further columns; those that were named before stay. Cost: a decision for each of them
+  /// and each cell below a region that sees it.
+  void ask(std::span<const std::uint32_t> columns);
 
   /// One round. False if the limits expired or no cell can be split. Errors: Interrupted.
   bool refine();
@@ -47,23 +52,21 @@ class BoundRefinement {
   const RefinedBound& bound() const { return bound_; }
 
  private:
-  struct Cell {
-    RegionAddress address;
-    std::size_t region;
-    ConvexPolygon polygon;
-    std::vector<BitRows::Word> seen;
-  };
-
+  void find_lends();
+  /// What each cell sees, and what others lend it.
   BitRows rows() const;
   void keep_proof(const BitRows& rows);
   void find_middles();
-  std::vector<std::size_t> cells_to_split() const;
+  std::vector<std::size_t> cells_to_split(const BitRows& rows) const;
   void split(std::span<const std::size_t> parents);
 
-  const RegionViews& views_;
+  const CellViews& views_;
   SearchLimits& limits_;
   std::uint64_t seed_;
-  std::vector<Cell> cells_;
+  std::vector<RegionCell> cells_;
+  std::vector<std::vector<BitRows::Word>> seen_;            ///< by cell
+  std::vector<std::pair<std::size_t, std::size_t>> lends_;  ///< by which rows grow
+  std::vector<BitRows::Word> asked_;
   std::vector<std::size_t> cover_;  ///< cells of the last cover
   std::vector<double> prices_;
   std::vector<Look> middles_;

@@ -25,6 +25,8 @@ class RegionPositions {
 
   /// The position nearest to a point, but for rounding; of the border, if the point is outside.
   Point nearest(const Point& point) const;
+  /// The same with fewer bits than bits(): coordinates that exact decisions are cheaper for.
+  Point nearest(const Point& point, int bits) const;
   /// Coarse, uniform by area.
   Point random(RandomNumbers& random) const;
   /// About `scale` times the region's extent away from a position, in each of two directions, and
@@ -32,8 +34,6 @@ class RegionPositions {
   Point near(const Point& position, double scale, RandomNumbers& random) const;
 
  private:
-  Point nearest(const Point& point, int bits) const;
-
   ConvexPolygon region_;
   int bits_ = 0, coarse_bits_ = 0;
   Point axes_[2];  ///< of the region's plane, as long as its extent

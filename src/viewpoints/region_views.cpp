@@ -102,14 +102,20 @@ void RegionViews::look(std::size_t region, const Point& position, std::span<BitR
   }
 }
 
-SmallList<ShaftOccluder, 96> RegionViews::stored_occluders(std::size_t region,
-                                                           std::size_t column) const {
-  SmallList<ShaftOccluder, 96> occluders;
+std::span<const OccluderId> RegionViews::stored_occluders(std::size_t region,
+                                                          std::size_t column) const {
   const auto& partial = views_[region].partial;
   const auto found = std::ranges::lower_bound(partial, column, {}, &PartialColumn::column);
-  if (found == partial.end() || found->column != column) return occluders;
-  for (std::size_t i = found->occluders_begin; i < found->occluders_end; ++i) {
-    occluders.push_back({.node = leaves_[stored_[i].value]});
+  if (found == partial.end() || found->column != column) return {};
+  return std::span(stored_).subspan(found->occluders_begin,
+                                    found->occluders_end - found->occluders_begin);
+}
+
+SmallList<ShaftOccluder, 96> RegionViews::shaft_occluders(std::size_t region,
+                                                          std::size_t column) const {
+  SmallList<ShaftOccluder, 96> occluders;
+  for (const OccluderId occluder : stored_occluders(region, column)) {
+    occluders.push_back({.node = leaves_[occluder.value]});
   }
   return occluders;
 }
@@ -122,22 +128,40 @@ std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
   Shaft shaft(occluders_, address, planar, viewed_.matrix.elements[column], elements_[column],
               viewed_.one_sided);
   if (!shaft.is_facing()) return std::nullopt;
-  const auto occluders = stored_occluders(region, column);
+  const auto occluders = shaft_occluders(region, column);
   shaft.set_occluders(occluders);
   return viewed_.backend.find_sight_line(shaft);
 }
 
-bool RegionViews::cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
-                            std::size_t column) const {
-  const PlanarPolygon planar{polygon, Plane(viewed_.region.parts[cell.owner().value])};
-  Shaft shaft(occluders_, cell, planar, viewed_.matrix.elements[column], elements_[column],
+bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
+  const PlanarPolygon planar{cell.polygon, Plane(viewed_.region.parts[cell.address.owner().value])};
+  Shaft shaft(occluders_, cell.address, planar, viewed_.matrix.elements[column], elements_[column],
               viewed_.one_sided);
   if (!shaft.is_facing()) return false;
   ShaftOccluders kept;
-  if (cull(shaft, stored_occluders(region, column), kOpenAll, kept)) return false;
+  if (cull(shaft, shaft_occluders(cell.region, column), kOpenAll, kept)) return false;
   if (kept.empty()) return true;
   shaft.set_occluders(kept);
   return is_visible(viewed_.backend.decide(shaft, Effort::kFull));
+}
+
+bool RegionViews::cell_sees_place(const RegionCell& cell, const ElementTarget& target) const {
+  if (std::ranges::none_of(cell.polygon,
+                           [&](const Point& corner) { return is_facing(target.column, corner); })) {
+    return false;
+  }
+  // Sight lines run both ways: the place looks at the cell.
+  const RegionAddress address = cell.address;
+  const PlanarPolygon planar{cell.polygon, Plane(viewed_.region.parts[address.owner().value])};
+  PointShaft shaft(
+      occluders_, target.place,
+      ElementAddress(SurfaceId(address.owner().value), address.level(), address.path()), planar,
+      false);
+  PointShaftOccluders kept;
+  if (shaft.cull(stored_occluders(cell.region, target.column), kept)) return false;
+  if (kept.empty()) return true;
+  shaft.set_occluders(kept);
+  return viewed_.backend.sees_part(shaft);
 }
 
 }  // namespace viewcover

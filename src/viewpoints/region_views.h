@@ -12,7 +12,7 @@
 #include "scene/cluster_tree.h"
 #include "scene/scene.h"
 #include "scene/viewing_region.h"
-#include "viewpoints/region_positions.h"
+#include "viewpoints/cell_views.h"
 
 namespace viewcover {
 
@@ -43,18 +43,23 @@ struct ElementTarget {
 /// viewpoint lies in the region's shaft, and being free is an open condition, so points of the
 /// region's interior near the viewpoint see the same places (papers/viewpoints.md).
 /// Immutable; concurrent calls are allowed.
-class RegionViews {
+class RegionViews : public CellViews {
  public:
   /// Cost: O(links + occluder lists + regions x elements / 64).
   explicit RegionViews(const ViewedScene& viewed);
 
   std::size_t region_count() const { return viewed_.matrix.bits.rows(); }
-  std::size_t column_count() const { return viewed_.matrix.bits.columns(); }
+  std::size_t column_count() const override { return viewed_.matrix.bits.columns(); }
   const VisibilityMatrix& matrix() const { return viewed_.matrix; }
-  const ViewingRegion& region() const { return viewed_.region; }
+  const ViewingRegion& region() const override { return viewed_.region; }
+  const ViewedScene& viewed() const { return viewed_; }
+  const OccluderSet& occluders() const { return occluders_; }
 
   /// Where viewpoints of a region may be. Positions below are of these.
-  const RegionPositions& positions(std::size_t region) const { return positions_[region]; }
+  const RegionPositions& positions(std::size_t region) const override { return positions_[region]; }
+  bool region_sees(std::size_t region, std::size_t column) const override {
+    return viewed_.matrix.bits.test(region, column);
+  }
 
   /// True if the position touches no surface. Exact.
   bool is_free(std::size_t region, const Point& position) const;
@@ -71,11 +76,17 @@ class RegionViews {
   /// none. Cost: a decision of the backend.
   std::optional<SightLine> find_sight_line(std::size_t region, std::size_t column) const;
 
-  /// Does a part of a region see an element? `cell`: a node below the region, or the region; with
-  /// its polygon. Asks the backend with the occluders that are stored for the region, so the answer
-  /// of an exact one is a theorem.
-  bool cell_sees(std::size_t region, RegionAddress cell, const ConvexPolygon& polygon,
-                 std::size_t column) const;
+  /// Does a part of a region see an element? Asks the backend with the occluders that are stored
+  /// for the region, so the answer of an exact one is a theorem.
+  bool cell_sees(const RegionCell& cell, std::size_t column) const override;
+
+  /// Does a part of the cell that has area see a place on an element that the region sees? Requires
+  /// a place whose difference to any corner is exact, in the plane of no region. Conservative for
+  /// one-sided elements whose plane cuts the cell.
+  bool cell_sees_place(const RegionCell& cell, const ElementTarget& target) const;
+
+  /// Is the position off the plane of an element and, if only fronts count, before it? Exact.
+  bool is_facing(std::size_t column, const Point& position) const;
 
  private:
   /// Columns [first, first + count) of one surface, seen fully.
@@ -93,11 +104,11 @@ class RegionViews {
   };
 
   void add_link(std::size_t link);
-  bool is_facing(std::size_t column, const Point& position) const;
   bool sees(const PartialColumn& partial, const Point& position,
             const std::optional<ElementTarget>& target) const;
   /// The occluders stored with the link of region and column; none if it is seen fully.
-  SmallList<ShaftOccluder, 96> stored_occluders(std::size_t region, std::size_t column) const;
+  std::span<const OccluderId> stored_occluders(std::size_t region, std::size_t column) const;
+  SmallList<ShaftOccluder, 96> shaft_occluders(std::size_t region, std::size_t column) const;
 
   ViewedScene viewed_;
   OccluderSet occluders_;

@@ -98,6 +98,7 @@ ViewpointSet find_viewpoints(const RegionViews& views, const ViewpointOptions& o
   }
   order_by_area(std::move(best), views.matrix(), set);
   set.candidates = pool.size();
+  for (std::size_t i = 0; i < pool.size(); ++i) set.tried.push_back(pool[i].viewpoint);
   set.positions = first_looks.positions() + looks.positions() + gap_looks.positions();
   set.relaxation = search.cover().relaxation;
   set.time_limit_reached = limits.has_expired();

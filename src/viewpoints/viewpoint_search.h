@@ -11,6 +11,7 @@
 
 namespace viewcover {
 
+struct FullCoverage;
 struct RefinedBound;
 
 /// How far a search has come, readable from another thread while it runs.
@@ -51,8 +52,13 @@ struct ViewpointSet {
   /// Why, where it was raised above options.lower_bound.
   std::shared_ptr<const RefinedBound> refined_bound;
 
+  /// For viewpoints that image all but a share (full_coverage/full_search.h); then the columns of
+  /// refined_bound are witnesses.
+  std::shared_ptr<const FullCoverage> full;
+
   std::size_t paper_viewpoints = 0;  ///< found by the paper's search alone
   std::size_t candidates = 0;        ///< in the pool at the end
+  std::vector<Viewpoint> tried;      ///< positions of the pool at the end
   std::uint64_t positions = 0;       ///< looked from, in full or for some elements
   double relaxation = 0;             ///< the least fractional cover by candidates
   bool time_limit_reached = false;

@@ -1,0 +1,597 @@
+#include "full_coverage/full_search.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "audit/unseen_area.h"
+#include "full_coverage/full_coverage.h"
+#include "full_coverage/special_positions.h"
+#include "full_coverage/witness_pool.h"
+#include "optim/reductions.h"
+#include "viewpoints/column_bits.h"
+#include "viewpoints/column_weights.h"
+#include "viewpoints/pool_cover.h"
+#include "viewpoints/position_annealing.h"
+#include "viewpoints/refined_bound.h"
+
+namespace viewcover {
+namespace {
+
+constexpr std::size_t kNodes = 2000;
+/// Prices come from floating point.
+constexpr double kPriceTolerance = 1e-6;
+/// Positions tried for what is still unseen: random ones in each region; the best are annealed.
+constexpr std::size_t kRandomPositions = 4, kAnnealed = 16, kEvaluations = 64;
+/// New viewpoints after each audit, at most.
+constexpr std::size_t kMostAdditions = 12;
+/// Regions searched by prices in a round.
+constexpr std::size_t kPricedRegions = 48;
+/// Parts that are this share of what may be missed are looked at, and become witnesses of the
+/// bound.
+constexpr double kSmallestPiece = 0.02;
+constexpr std::size_t kMostPlaces = 800, kMostWitnessesOfBound = 64;
+constexpr std::size_t kMostCandidates = 1500, kMostPoolLooks = 400;
+constexpr std::size_t kMostAskedAtOnce = 32;
+
+/// A place and what seeing it is worth.
+struct WeightedPlace {
+  ElementTarget place;
+  double weight = 0;
+};
+
+struct ValuedViewpoint {
+  Viewpoint viewpoint;
+  double value = 0;
+};
+
+CoverOptions limits_of(const FullCoverageOptions& options) {
+  CoverOptions limits;
+  limits.stop = options.stop;
+  limits.time_limit_seconds = options.time_limit_seconds;
+  return limits;
+}
+
+class FullSearch {
+ public:
+  FullSearch(const RegionViews& views, const ViewpointSet& parts,
+             const FullCoverageOptions& options)
+      : views_(views),
+        scene_(views.viewed().scene),
+        options_(options),
+        limits_(limits_of(options)),
+        witnesses_(views),
+        pool_(witnesses_),
+        special_(views),
+        parts_(parts),
+        lower_bound_(parts.lower_bound) {
+    for_each_bit(std::span<const BitRows::Word>(views.matrix().bits.union_of_all()),
+                 [&](std::size_t column) {
+                   columns_.push_back(column);
+                   elements_.push_back(views.matrix().elements[column]);
+                   area_ += views.matrix().areas[column];
+                 });
+    for (const Viewpoint& viewpoint : parts.viewpoints) pool_.add(viewpoint);
+    for (const Viewpoint& viewpoint : parts.tried) pool_.add(viewpoint);
+    for (const Viewpoint& viewpoint : special_.corners()) pool_.add(viewpoint);
+    witnesses_.add(places_in_elements(parts.viewpoints));
+  }
+
+  ViewpointSet run();
+
+ private:
+  AuditOptions audit_options() const {
+    return {.one_sided = views_.viewed().one_sided, .stop = options_.stop};
+  }
+  UnseenArea whole_area() const {
+    return {scene_, views_.viewed().clusters, elements_, audit_options()};
+  }
+  std::vector<Point> positions_of(std::span<const Viewpoint> viewpoints) const {
+    std::vector<Point> positions;
+    for (const Viewpoint& viewpoint : viewpoints) positions.push_back(viewpoint.position);
+    return positions;
+  }
+
+  bool best_sees(const ElementTarget& place) const {
+    return std::ranges::any_of(best_, [&](const Viewpoint& viewpoint) {
+      return witnesses_.is_seen(viewpoint.position, place);
+    });
+  }
+  std::vector<ElementTarget> places_in_elements(std::span<const Viewpoint> viewpoints) const;
+  std::vector<WeightedPlace> unseen_places(std::span<const Viewpoint> viewpoints, double smallest);
+  std::vector<Viewpoint> cover_witnesses();
+  enum class Missed { kTooLittle, kMoreWitnesses, kNoWitness };
+  Missed add_what_is_missed(std::span<const Viewpoint> viewpoints);
+  std::vector<ValuedViewpoint> best_positions(std::span<const WeightedPlace> places);
+  double value_of(const Viewpoint& viewpoint, std::span<const WeightedPlace> places) const;
+  /// Annealing in a region for the places that it sees, then the special positions near the best.
+  std::vector<ValuedViewpoint> anneal(std::size_t region, std::optional<Point> start,
+                                      std::span<const WeightedPlace> places,
+                                      std::uint64_t seed) const;
+  std::optional<Viewpoint> position_that_sees(const ElementTarget& place) const;
+  bool add_by_prices();
+  bool raise_bound();
+  void trim();
+  ViewpointSet result();
+  void report() const;
+
+  const RegionViews& views_;
+  const Scene& scene_;
+  const FullCoverageOptions& options_;
+  SearchLimits limits_;
+  Witnesses witnesses_;
+  WitnessPool pool_;
+  SpecialPositions special_;
+  const ViewpointSet& parts_;
+  std::vector<std::size_t> columns_;      // that some region sees
+  std::vector<ElementAddress> elements_;  // of these
+  double area_ = 0;                       // of these
+  std::vector<std::uint32_t> asked_;      // witnesses that the cover is asked for, ascending
+  PoolCover cover_;                       // its columns are these
+  std::vector<Viewpoint> best_;           // sees all witnesses, and misses no more than asked for
+  std::size_t lower_bound_;
+  std::optional<BoundRefinement> bound_;
+  double further_gain_ = 0;  // of best_, by places
+  Viewpoint further_;        // that adds most to best_
+  std::size_t further_positions_ = 0;
+  std::uint64_t jobs_ = 0;
+  std::uint64_t looked_ = 0;
+};
+
+std::vector<ElementTarget> FullSearch::places_in_elements(
+    std::span<const Viewpoint> viewpoints) const {
+  const Audit audit = audit_images(scene_, views_.viewed().clusters, elements_,
+                                   positions_of(viewpoints), audit_options());
+  std::vector<ElementTarget> places;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    std::vector<std::pair<double, const ConvexPolygon*>> seen;
+    for (const ImagedPiece& piece : audit.elements[i].pieces) {
+      if (piece.images > 0) seen.emplace_back(area(piece.polygon), &piece.polygon);
+    }
+    std::ranges::sort(seen, std::greater(), [](const auto& piece) { return piece.first; });
+    for (const auto& [size, polygon] : seen) {
+      if (const auto place = witnesses_.place_in(columns_[i], *polygon)) {
+        places.push_back(*place);
+        break;
+      }
+    }
+  }
+  return places;
+}
+
+/// Places in what the viewpoints do not image, weighted by area: in each piece, cut up while larger
+/// than what may be missed. Largest first; pieces below `smallest` have none.
+std::vector<WeightedPlace> FullSearch::unseen_places(std::span<const Viewpoint> viewpoints,
+                                                     double smallest) {
+  UnseenArea unseen = whole_area();
+  for (const Viewpoint& viewpoint : viewpoints) unseen.subtract(viewpoint.position);
+  const double largest = options_.missed_share * area_;
+  std::vector<std::pair<std::size_t, ConvexPolygon>> parts;
+  for (const UnseenPiece& piece : unseen.pieces()) {
+    std::vector<ConvexPolygon> open{piece.polygon};
+    while (!open.empty()) {
+      const ConvexPolygon part = std::move(open.back());
+      open.pop_back();
+      const double size = area(part);
+      if (size < smallest) continue;
+      if (size > largest) {
+        for (const ConvexPolygon& quarter : quarters(part)) open.push_back(quarter);
+      } else {
+        parts.emplace_back(columns_[piece.element], part);
+      }
+    }
+  }
+  std::ranges::stable_sort(parts, std::greater(),
+                           [](const auto& part) { return area(part.second); });
+  if (parts.size() > kMostPlaces) parts.resize(kMostPlaces);
+  std::vector<std::optional<ElementTarget>> places(parts.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    const auto place = witnesses_.place_in(parts[i].first, parts[i].second);
+    if (place && std::ranges::none_of(viewpoints, [&](const Viewpoint& viewpoint) {
+          return witnesses_.is_seen(viewpoint.position, *place);
+        })) {
+      places[i] = place;
+    }
+  });
+  std::vector<WeightedPlace> weighted;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (places[i]) weighted.push_back({*places[i], area(parts[i].second)});
+  }
+  return weighted;
+}
+
+/// A smallest cover, by asking for few witnesses first and for more of those that it leaves out,
+/// until it leaves out none.
+std::vector<Viewpoint> FullSearch::cover_witnesses() {
+  pool_.look();
+  const BitRows rows = pool_.rows();
+  if (asked_.empty()) asked_ = columns_without_implied(rows);
+  SearchLimits unlimited(CoverOptions{});
+  std::vector<Viewpoint> chosen;
+  while (true) {
+    BitRows asked(rows.rows(), asked_.size());
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      for (std::size_t k = 0; k < asked_.size(); ++k) {
+        if (rows.test(i, asked_[k])) asked.set(i, k);
+      }
+    }
+    cover_ = cover_pool(asked, kNodes, options_.seed, limits_.expired() ? unlimited : limits_);
+    const std::vector<BitRows::Word> seen = rows.union_of(cover_.chosen);
+    std::vector<std::uint32_t> unseen;
+    for (std::uint32_t w = 0; w < rows.columns(); ++w) {
+      if (!has_column(seen, w)) unseen.push_back(w);
+    }
+    if (unseen.empty()) break;
+    // Evenly among all: neighbours tell the same.
+    const std::size_t step = std::max<std::size_t>(1, unseen.size() / kMostAskedAtOnce);
+    for (std::size_t k = 0; k < unseen.size(); k += step) asked_.push_back(unseen[k]);
+    std::ranges::sort(asked_);
+  }
+  for (const std::size_t row : cover_.chosen) chosen.push_back(pool_[row]);
+  return chosen;
+}
+
+double FullSearch::value_of(const Viewpoint& viewpoint,
+                            std::span<const WeightedPlace> places) const {
+  double value = 0;
+  for (const WeightedPlace& place : places) {
+    if (views_.region_sees(viewpoint.region, place.place.column) &&
+        witnesses_.is_seen(viewpoint.position, place.place)) {
+      value += place.weight;
+    }
+  }
+  return value;
+}
+
+std::vector<ValuedViewpoint> FullSearch::anneal(std::size_t region, std::optional<Point> start,
+                                                std::span<const WeightedPlace> places,
+                                                std::uint64_t seed) const {
+  std::vector<WeightedPlace> seen;
+  double most = 0;
+  for (const WeightedPlace& place : places) {
+    if (!views_.region_sees(region, place.place.column)) continue;
+    seen.push_back(place);
+    most += place.weight;
+  }
+  std::vector<ValuedViewpoint> found;
+  if (seen.empty()) return found;
+  const auto value = [&](const Point& position) -> std::optional<double> {
+    if (!views_.is_free(region, position)) return std::nullopt;
+    return value_of({position, region}, seen);
+  };
+  const AnnealedPosition annealed =
+      anneal_position(views_.positions(region), most, value,
+                      {.seed = seed, .evaluations = kEvaluations, .start = start});
+  if (annealed.records.empty()) return found;
+  const Viewpoint best{annealed.records.back(), region};
+  found.push_back({best, annealed.benefit});
+  for (const Viewpoint& special : special_.near(best)) {
+    const double benefit = value_of(special, places);
+    if (benefit >= annealed.benefit) found.push_back({special, benefit});
+  }
+  std::ranges::stable_sort(found, std::greater(), &ValuedViewpoint::value);
+  return found;
+}
+
+/// Goes down to a part of a region that sees the place until a position in it does.
+std::optional<Viewpoint> FullSearch::position_that_sees(const ElementTarget& place) const {
+  constexpr int kDeepest = 8;
+  for (std::size_t i = 0; i < views_.region_count(); ++i) {
+    if (!views_.region_sees(i, place.column)) continue;
+    RegionCell cell{views_.region().address(i), i, views_.positions(i).region()};
+    if (!views_.cell_sees_place(cell, place)) continue;
+    for (int depth = 0; depth < kDeepest; ++depth) {
+      const Point middle = views_.positions(i).nearest(centroid(cell.polygon));
+      if (witnesses_.is_seen(middle, place) && views_.is_free(i, middle)) {
+        return Viewpoint{middle, i};
+      }
+      if (cell.address.level() == kMaxSubdivisionLevel) break;
+      const auto quarter = quarters(cell.polygon);
+      int digit = 0;
+      while (digit < 4 &&
+             !views_.cell_sees_place(
+                 {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]}, place)) {
+        ++digit;
+      }
+      if (digit == 4) break;
+      cell = {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Positions that image much of what the places stand for, best first.
+std::vector<ValuedViewpoint> FullSearch::best_positions(std::span<const WeightedPlace> places) {
+  const std::uint64_t seed = options_.seed + (++jobs_ << 32);
+  std::vector<ValuedViewpoint> tried(views_.region_count() * kRandomPositions);
+  tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t job) {
+    const std::size_t region = job / kRandomPositions;
+    RandomNumbers random(mixed(seed + job));
+    const Viewpoint viewpoint{views_.positions(region).random(random), region};
+    if (!views_.is_free(region, viewpoint.position) || limits_.due()) return;
+    tried[job] = {viewpoint, value_of(viewpoint, places)};
+  });
+  const std::size_t step = 1 + pool_.size() / kMostPoolLooks;
+  std::vector<ValuedViewpoint> known((pool_.size() + step - 1) / step);
+  tbb::parallel_for(std::size_t{0}, known.size(), [&](std::size_t i) {
+    known[i] = {pool_[i * step], value_of(pool_[i * step], places)};
+  });
+  tried.insert(tried.end(), known.begin(), known.end());
+  // What nothing sees by chance is looked for.
+  std::vector<WeightedPlace> hard;
+  for (const WeightedPlace& place : places) {
+    if (place.weight < 0.5 * options_.missed_share * area_ ||
+        hard.size() == kMostWitnessesOfBound) {
+      break;
+    }
+    hard.push_back(place);
+  }
+  std::vector<ValuedViewpoint> aimed(hard.size());
+  tbb::parallel_for(std::size_t{0}, hard.size(), [&](std::size_t i) {
+    const bool is_seen = std::ranges::any_of(tried, [&](const ValuedViewpoint& valued) {
+      return valued.value > 0 && witnesses_.is_seen(valued.viewpoint.position, hard[i].place);
+    });
+    if (is_seen || limits_.due()) return;
+    if (const auto viewpoint = position_that_sees(hard[i].place)) {
+      aimed[i] = {*viewpoint, value_of(*viewpoint, places)};
+    }
+  });
+  tried.insert(tried.end(), aimed.begin(), aimed.end());
+  std::erase_if(tried, [](const ValuedViewpoint& valued) { return valued.value == 0; });
+  std::ranges::stable_sort(tried, std::greater(), &ValuedViewpoint::value);
+  looked_ += tried.size();
+
+  std::vector<ValuedViewpoint> starts;
+  for (const ValuedViewpoint& valued : tried) {
+    if (starts.size() == kAnnealed) break;
+    if (std::ranges::none_of(starts, [&](const ValuedViewpoint& start) {
+          return start.viewpoint.region == valued.viewpoint.region;
+        })) {
+      starts.push_back(valued);
+    }
+  }
+  std::vector<std::vector<ValuedViewpoint>> annealed(starts.size());
+  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+    if (limits_.due()) return;
+    annealed[i] = anneal(starts[i].viewpoint.region, starts[i].viewpoint.position, places,
+                         mixed(seed + tried.size() + i));
+  });
+  looked_ += starts.size() * kEvaluations;
+  for (const auto& found : annealed) tried.insert(tried.end(), found.begin(), found.end());
+  std::ranges::stable_sort(tried, std::greater(), &ValuedViewpoint::value);
+  return tried;
+}
+
+/// Positions and witnesses for what the viewpoints do not image. kTooLittle: nothing was found that
+/// adds more than may be missed. Where there is a best set, only what it sees becomes a witness.
+FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> viewpoints) {
+  const double enough = options_.missed_share * area_;
+  std::vector<WeightedPlace> places = unseen_places(viewpoints, kSmallestPiece * enough);
+  const std::vector<ValuedViewpoint> found = best_positions(places);
+  further_positions_ = found.size();
+  further_gain_ = 0;
+  std::vector<ElementTarget> fresh;
+  for (std::size_t added = 0; added < kMostAdditions; ++added) {
+    const ValuedViewpoint* best = nullptr;
+    double most = 0;
+    for (const ValuedViewpoint& candidate : found) {
+      if (candidate.value <= most) break;  // values only fall
+      const double value = value_of(candidate.viewpoint, places);
+      if (value > most) {
+        most = value;
+        best = &candidate;
+      }
+    }
+    if (added == 0 && best != nullptr) {
+      further_gain_ = most;
+      further_ = best->viewpoint;
+    }
+    if (best == nullptr || most < enough) break;
+    pool_.add(best->viewpoint);
+    std::erase_if(places, [&](const WeightedPlace& place) {
+      const bool is_seen = views_.region_sees(best->viewpoint.region, place.place.column) &&
+                           witnesses_.is_seen(best->viewpoint.position, place.place);
+      if (is_seen) fresh.push_back(place.place);
+      return is_seen;
+    });
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 2 * kMostAdditions); ++i) {
+    if (!fresh.empty()) pool_.add(found[i].viewpoint);
+  }
+  if (further_gain_ < enough) return Missed::kTooLittle;
+  if (!best_.empty()) std::erase_if(fresh, [&](const auto& place) { return !best_sees(place); });
+  return witnesses_.add(fresh) > 0 ? Missed::kMoreWitnesses : Missed::kNoWitness;
+}
+
+/// Column generation: positions whose witnesses cost more than 1 by the prices of the last cover.
+bool FullSearch::add_by_prices() {
+  std::vector<WeightedPlace> places;
+  std::vector<double> of_region(views_.region_count(), 0);
+  for (std::size_t k = 0; k < cover_.prices.size(); ++k) {
+    const double price = cover_.prices[k];
+    if (price <= kPriceTolerance) continue;
+    const std::uint32_t w = asked_[k];
+    places.push_back({witnesses_[w], price});
+    for (std::size_t i = 0; i < of_region.size(); ++i) {
+      if (witnesses_.region_sees(i, w)) of_region[i] += price;
+    }
+  }
+  std::vector<std::size_t> regions;
+  for (std::size_t i = 0; i < of_region.size(); ++i) {
+    if (of_region[i] > 1 + kPriceTolerance) regions.push_back(i);
+  }
+  const std::uint64_t seed = options_.seed + (++jobs_ << 32);
+  RandomNumbers random(mixed(seed));
+  if (regions.size() > kPricedRegions) {
+    for (std::size_t i = 0; i < kPricedRegions; ++i) {
+      std::swap(regions[i], regions[i + random.below(regions.size() - i)]);
+    }
+    regions.resize(kPricedRegions);
+  }
+  std::vector<std::vector<ValuedViewpoint>> found(regions.size());
+  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+    if (limits_.due()) return;
+    found[i] = anneal(regions[i], std::nullopt, places, mixed(seed + i + 1));
+  });
+  looked_ += regions.size() * kEvaluations;
+  bool any = false;
+  for (const auto& of_this : found) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(of_this.size(), 3); ++k) {
+      if (of_this[k].value > 1 + kPriceTolerance) any |= pool_.add(of_this[k].viewpoint);
+    }
+  }
+  return any;
+}
+
+/// A round of the bound. The middles of its cells join the pool, and what they leave unseen the
+/// witnesses.
+bool FullSearch::raise_bound() {
+  if (!bound_) {
+    bound_.emplace(witnesses_, asked_, limits_, options_.seed);
+  } else {
+    bound_->ask(asked_);
+  }
+  const std::size_t before = lower_bound_;
+  if (!bound_->refine()) return false;
+  lower_bound_ = std::max(lower_bound_, bound_->lower_bound());
+  std::vector<Viewpoint> middles;
+  for (const Look& look : bound_->middles_of_cover()) {
+    if (views_.is_free(look.region, look.position)) middles.push_back({look.position, look.region});
+  }
+  for (const Viewpoint& middle : middles) pool_.add(middle);
+  if (lower_bound_ < best_.size() && !middles.empty()) {
+    const double smallest = kSmallestPiece * options_.missed_share * area_;
+    std::vector<ElementTarget> places;
+    for (const WeightedPlace& place : unseen_places(middles, smallest)) {
+      if (best_sees(place.place)) places.push_back(place.place);
+      if (places.size() == kMostWitnessesOfBound) break;
+    }
+    witnesses_.add(places);
+  }
+  return lower_bound_ > before;
+}
+
+/// Rows with few witnesses that cost something go, once there are too many.
+void FullSearch::trim() {
+  if (pool_.size() <= kMostCandidates) return;
+  const BitRows rows = pool_.rows();
+  std::vector<double> by_witness(rows.columns(), 0);
+  for (std::size_t k = 0; k < cover_.prices.size(); ++k) by_witness[asked_[k]] = cover_.prices[k];
+  const ColumnWeights prices(std::move(by_witness));
+  std::vector<std::pair<double, std::size_t>> scores;
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const bool is_chosen = std::ranges::find(best_, pool_[i]) != best_.end();
+    scores.emplace_back(is_chosen ? -1e9 : -prices.of(rows.row(i)), i);
+  }
+  std::ranges::sort(scores);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < kMostCandidates / 2; ++i) kept.push_back(scores[i].second);
+  std::ranges::sort(kept);
+  pool_.keep(kept);
+}
+
+void FullSearch::report() const {
+  if (options_.progress == nullptr) return;
+  options_.progress->viewpoints = best_.size();
+  options_.progress->lower_bound = std::min(lower_bound_, best_.size());
+  options_.progress->positions = looked_;
+}
+
+ViewpointSet FullSearch::run() {
+  int idle = 0;
+  Viewpoint further;
+  double gain = 0;
+  std::size_t further_positions = 0;
+  while (true) {
+    const std::vector<Viewpoint> viewpoints = cover_witnesses();
+    if (best_.empty() || viewpoints.size() < best_.size()) {
+      const Missed missed = add_what_is_missed(viewpoints);
+      if (missed == Missed::kMoreWitnesses && !limits_.expired()) continue;
+      if (missed == Missed::kTooLittle || best_.empty()) {
+        // Out of time: what was found last is to be seen nevertheless.
+        best_ = missed == Missed::kMoreWitnesses ? cover_witnesses() : viewpoints;
+        further = further_;
+        gain = further_gain_;
+        further_positions = further_positions_;
+        idle = 0;
+      }
+    }
+    report();
+    if (lower_bound_ >= best_.size() || limits_.expired()) break;
+    trim();
+    bool helped = add_by_prices();
+    helped |= raise_bound();
+    idle = helped ? idle : idle + 1;
+    if (idle > options_.patience) break;
+  }
+  further_ = further;
+  further_gain_ = gain;
+  further_positions_ = further_positions;
+  return result();
+}
+
+ViewpointSet FullSearch::result() {
+  ViewpointSet set;
+  set.seen = BitRows(0, views_.column_count());
+  FullCoverage full;
+  full.missed_share = options_.missed_share;
+  // Those first that image most witnesses more.
+  std::vector<Viewpoint> left = best_;
+  std::vector<WeightedPlace> places;
+  for (std::size_t w = 0; w < witnesses_.size(); ++w) places.push_back({witnesses_[w], 1});
+  UnseenArea unseen = whole_area();
+  while (!left.empty()) {
+    std::vector<double> values;
+    for (const Viewpoint& viewpoint : left) values.push_back(value_of(viewpoint, places));
+    const auto best = std::ranges::max_element(values) - values.begin();
+    const Viewpoint viewpoint = left[static_cast<std::size_t>(best)];
+    left.erase(left.begin() + best);
+    std::erase_if(places, [&](const WeightedPlace& place) {
+      return witnesses_.is_seen(viewpoint.position, place.place);
+    });
+    set.viewpoints.push_back(viewpoint);
+    unseen.subtract(viewpoint.position);
+    full.imaged_percent.push_back(100 * (1 - unseen.area() / area_));
+  }
+  set.seen = BitRows(set.viewpoints.size(), views_.column_count());
+  std::vector<BitRows::Word> missing = views_.matrix().bits.union_of_all();
+  const double visible = weight_of(missing, views_.matrix().areas);
+  for (std::size_t i = 0; i < set.viewpoints.size(); ++i) {
+    views_.look(set.viewpoints[i].region, set.viewpoints[i].position, set.seen.row(i));
+    remove_columns(missing, set.seen.row(i));
+    set.covered_percent.push_back(100 * (1 - weight_of(missing, views_.matrix().areas) / visible));
+    set.seconds.push_back(limits_.seconds());
+  }
+  for_each_bit(std::span<const BitRows::Word>(missing),
+               [&](std::size_t column) { set.missing.push_back(column); });
+  set.lower_bound = std::min(lower_bound_, set.viewpoints.size());
+  full.bound_is_of_witnesses = bound_ && bound_->lower_bound() == lower_bound_;
+  set.refined_bound = full.bound_is_of_witnesses
+                          ? std::make_shared<const RefinedBound>(bound_->bound())
+                          : parts_.refined_bound;
+  if (further_gain_ > 0) {
+    const double before = unseen.area();
+    unseen.subtract(further_.position);
+    full.further_gain_percent = 100 * (before - unseen.area()) / (area_ - before);
+  }
+  full.further_positions = further_positions_;
+  for (std::size_t w = 0; w < witnesses_.size(); ++w) full.witnesses.push_back(witnesses_[w]);
+  set.full = std::make_shared<const FullCoverage>(std::move(full));
+  set.paper_viewpoints = parts_.paper_viewpoints;
+  set.candidates = pool_.size();
+  set.positions = looked_;
+  set.relaxation = cover_.relaxation;
+  set.time_limit_reached = limits_.has_expired();
+  return set;
+}
+
+}  // namespace
+
+ViewpointSet find_full_coverage(const RegionViews& views, const ViewpointSet& parts,
+                                const FullCoverageOptions& options) {
+  if (parts.viewpoints.empty()) return parts;
+  return FullSearch(views, parts, options).run();
+}
+
+}  // namespace viewcover
