@@ -110,7 +110,7 @@ class FullSearch {
                                       std::span<const WeightedPlace> places,
                                       std::uint64_t seed) const;
   std::optional<Viewpoint> position_that_sees(const ElementTarget& place) const;
-  bool add_by_prices();
+  void add_by_prices();
   bool raise_bound();
   void trim();
   ViewpointSet result();
@@ -405,7 +405,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
 }
 
 /// Column generation: positions whose witnesses cost more than 1 by the prices of the last cover.
-bool FullSearch::add_by_prices() {
+void FullSearch::add_by_prices() {
   std::vector<WeightedPlace> places;
   std::vector<double> of_region(views_.region_count(), 0);
   for (std::size_t k = 0; k < cover_.prices.size(); ++k) {
@@ -435,17 +435,15 @@ bool FullSearch::add_by_prices() {
     found[i] = anneal(regions[i], std::nullopt, places, mixed(seed + i + 1));
   });
   looked_ += regions.size() * kEvaluations;
-  bool any = false;
   for (const auto& of_this : found) {
     for (std::size_t k = 0; k < std::min<std::size_t>(of_this.size(), 3); ++k) {
-      if (of_this[k].value > 1 + kPriceTolerance) any |= pool_.add(of_this[k].viewpoint);
+      if (of_this[k].value > 1 + kPriceTolerance) pool_.add(of_this[k].viewpoint);
     }
   }
-  return any;
 }
 
-/// A round of the bound. The middles of its cells join the pool, and what they leave unseen the
-/// witnesses.
+/// A round of the bound; true if it rose. The middles of its cells join the pool, and what they
+/// leave unseen the witnesses.
 bool FullSearch::raise_bound() {
   if (!bound_) {
     bound_.emplace(witnesses_, asked_, limits_, options_.seed);
@@ -520,10 +518,12 @@ ViewpointSet FullSearch::run() {
     report();
     if (lower_bound_ >= best_.size() || limits_.expired()) break;
     trim();
-    bool helped = add_by_prices();
-    helped |= raise_bound();
-    idle = helped ? idle : idle + 1;
-    if (idle > options_.patience) break;
+    add_by_prices();
+    idle = raise_bound() ? 0 : idle + 1;
+    if (options_.close_gap_seconds > 0 ? limits_.seconds() >= options_.close_gap_seconds
+                                       : idle >= options_.patience) {
+      break;
+    }
   }
   further_ = further;
   further_gain_ = gain;

@@ -12,8 +12,10 @@ struct FullCoverageOptions {
   /// It ends when no further viewpoint that is found adds this share of the area imaged.
   double missed_share = 1e-4;
   std::uint64_t seed = 1;
-  /// Rounds of looking for fewer viewpoints and of raising the bound without success.
-  int patience = 4;
+  /// Rounds of looking for fewer viewpoints and of raising the bound without success, or the
+  /// seconds until rounds end however many there were, where they are given.
+  int patience = 8;
+  double close_gap_seconds = 0;
   double time_limit_seconds = 0;            ///< 0: none
   const std::atomic<bool>* stop = nullptr;  ///< ends the search with Interrupted
   ViewpointProgress* progress = nullptr;
