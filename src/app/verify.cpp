@@ -1,5 +1,7 @@
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "app/commands.h"
@@ -7,6 +9,7 @@
 #include "app/option_values.h"
 #include "report/audit_check.h"
 #include "report/bundle_check.h"
+#include "report/sight_check.h"
 #include "scene/error.h"
 
 namespace viewcover {
@@ -21,14 +24,16 @@ struct VerifyOptions {
 
 std::vector<BundleClaim> checked_claims(const VerifyOptions& options) {
   const std::filesystem::path folder = options.folder;
-  std::vector<BundleClaim> claims = check_bundle(folder);
-  if (!std::filesystem::exists(folder / "audit.csv")) return claims;
   AuditCheckOptions audit;
   audit.scene_file = options.scene;
   audit.seed = count_option("--seed", options.common.seed, 0, UINT64_MAX);
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(options.common)));
-  for (BundleClaim& claim : check_audit(folder, audit)) claims.push_back(std::move(claim));
+  std::vector<BundleClaim> claims = check_bundle(folder);
+  std::ranges::move(check_sights(folder, options.scene), std::back_inserter(claims));
+  if (std::filesystem::exists(folder / "audit.csv")) {
+    std::ranges::move(check_audit(folder, audit), std::back_inserter(claims));
+  }
   return claims;
 }
 

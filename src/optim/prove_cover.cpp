@@ -5,51 +5,12 @@
 #include <numeric>
 
 #include "optim/cover_tree.h"
+#include "optim/heuristic_cover.h"
 #include "optim/incidence.h"
 #include "optim/reductions.h"
-#include "optim/search_effort.h"
-#include "optim/whole_cover_search.h"
-#include "scene/random_numbers.h"
 
 namespace viewcover {
 namespace {
-
-/// Local search for covers of a component beside its tree.
-class HeuristicCover {
- public:
-  HeuristicCover(const CoverComponent& component, SearchLimits& limits, std::uint64_t seed)
-      : incidence_(component.incidence),
-        limits_(limits),
-        random_(seed),
-        search_(incidence_, random_) {}
-
-  /// As much as the first programme of the tree hardly notices.
-  const std::vector<std::uint32_t>& begin() {
-    SearchEffort effort(limits_, 20 * incidence_.ones(), search_.work());
-    return run(effort);
-  }
-  /// Goes on for a share of the time that is left; without a time limit until so much work, the
-  /// same on any machine, brought nothing better.
-  const std::vector<std::uint32_t>& improve(double share) {
-    constexpr std::uint64_t kPatience = 10'000'000;
-    SearchEffort effort(limits_, share, kPatience, search_.work());
-    return run(effort);
-  }
-
- private:
-  const std::vector<std::uint32_t>& run(SearchEffort& effort) {
-    search_.run(effort, 1, [] {});
-    best_.assign(search_.best().begin(), search_.best().end());
-    std::ranges::sort(best_);
-    return best_;
-  }
-
-  const Incidence& incidence_;
-  SearchLimits& limits_;
-  RandomNumbers random_;
-  WholeCoverSearch search_;
-  std::vector<std::uint32_t> best_;
-};
 
 /// The components of a reduced instance with the best covers and bounds so far.
 class CoverProver {
@@ -88,17 +49,21 @@ class CoverProver {
   void search(CoverTree& tree, std::size_t number) {
     constexpr CoverTree::Slice kFirst{.nodes = 50, .seconds = 1}, kAll;
     constexpr double kShareOfTime = 0.25;  // of local search beside the tree
+    // What the first programme of the tree hardly notices, and what a slice does.
+    constexpr std::uint64_t kFirstPatiencePerOne = 20, kPatience = 10'000'000;
     const bool timed = std::isfinite(limits_.seconds_left());
     const auto after_node = [&] { update(tree, number); };
-    HeuristicCover heuristic(reduction_.components[number], limits_, options_.seed);
-    tree.offer(heuristic.begin());
+    const Incidence& incidence = reduction_.components[number].incidence;
+    HeuristicCover heuristic(incidence, limits_, options_.seed);
+    tree.offer(heuristic.run(kFirstPatiencePerOne * incidence.ones()));
     CoverTree::Slice slice{.nodes = kFirst.nodes, .seconds = timed ? kFirst.seconds : kAll.seconds};
     while (true) {
       const double began = limits_.seconds();
       tree.search(slice, after_node);
       const double took = limits_.seconds() - began;
       if (tree.bound() >= tree.best().size() || limits_.expired()) break;
-      tree.offer(heuristic.improve(timed ? kShareOfTime * took / limits_.seconds_left() : 1));
+      tree.offer(heuristic.run_for_share(timed ? kShareOfTime * took / limits_.seconds_left() : 1,
+                                         kPatience));
       slice = {.seconds = timed ? 2 * took : kAll.seconds};
     }
     update(tree, number);

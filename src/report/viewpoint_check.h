@@ -18,7 +18,8 @@ namespace viewcover {
 ///  - the lower bound is none above their number, and where it exceeds that of the region cover:
 ///    the cells of bound.csv tile the regions, no cell sees more than its region by bound.mtx, and
 ///    bound.proof proves the bound for that matrix.
-/// That a viewpoint sees an element, or a cell does not, is not asked again.
+/// That a viewpoint sees an element is asked again by report/sight_check.h, that a cell sees none
+/// is not.
 ///
 /// `results`: of run.json. `visibility`: visibility.mtx. `areas`: of the elements.
 /// Errors: InputError for files that cannot be read.

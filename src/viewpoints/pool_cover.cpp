@@ -4,29 +4,17 @@
 
 #include "optim/cover_programme.h"
 #include "optim/cover_tree.h"
+#include "optim/heuristic_cover.h"
 #include "optim/incidence.h"
 #include "optim/reductions.h"
-#include "optim/search_effort.h"
-#include "optim/whole_cover_search.h"
 
 namespace viewcover {
 namespace {
 
 /// A tree this small is searched before a heuristic is asked.
 constexpr std::size_t kNodesBeforeHeuristic = 20;
-
-std::vector<std::uint32_t> local_search(const Incidence& incidence, std::uint64_t seed,
-                                        SearchLimits& limits) {
-  constexpr std::uint64_t kPatience = 3'000'000;
-  constexpr double kShareOfTime = 0.1;
-  RandomNumbers random(seed);
-  WholeCoverSearch search(incidence, random);
-  SearchEffort effort(limits, kShareOfTime, kPatience, search.work());
-  search.run(effort, 1, [] {});
-  std::vector<std::uint32_t> best(search.best().begin(), search.best().end());
-  std::ranges::sort(best);
-  return best;
-}
+constexpr std::uint64_t kHeuristicPatience = 3'000'000;
+constexpr double kHeuristicShareOfTime = 0.1;
 
 void add_prices(const CoverComponent& component, SearchLimits& limits, PoolCover& cover) {
   const CoverNodeState state(component.incidence);
@@ -57,7 +45,8 @@ PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t 
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
     tree.search({.nodes = std::min(kNodesBeforeHeuristic, most_nodes)});
     if (tree.bound() < tree.best().size()) {
-      tree.offer(local_search(component.incidence, seed, limits));
+      HeuristicCover heuristic(component.incidence, limits, seed);
+      tree.offer(heuristic.run_for_share(kHeuristicShareOfTime, kHeuristicPatience));
       tree.search({.nodes = most_nodes});
     }
     cover.lower_bound += tree.bound();

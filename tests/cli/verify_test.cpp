@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "bundle_files.h"
@@ -12,6 +15,13 @@ namespace viewcover::testing {
 namespace {
 
 using ::testing::HasSubstr;
+
+template <class... Parts>
+std::string joined(const Parts&... parts) {
+  std::ostringstream out;
+  (out << ... << parts);
+  return out.str();
+}
 
 class Verify : public ::testing::Test {
  protected:
@@ -43,6 +53,12 @@ class Verify : public ::testing::Test {
     const Outcome outcome = verify();
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_THAT(outcome.error, HasSubstr("not true that " + claim));
+  }
+  void expect_only_contradiction(const std::string& claim) const {
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.error, HasSubstr("not true that " + claim));
+    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   }
 
   ScratchFolder folder_;
@@ -86,71 +102,131 @@ TEST_F(Verify, FindsAWrongProof) {
   expect_contradiction("cover.proof proves");
 }
 
-class VerifyViewpoints : public Verify {
- protected:
-  void SetUp() override { solve({"--backend", "rays", "--regions", "4", "--element-area", "2"}); }
-};
-
-TEST_F(VerifyViewpoints, FindsAViewpointOutsideItsRegion) {
-  // As little as one unit in the last place beside the region's plane.
-  const Table viewpoints(bundle() / "viewpoints.csv");
-  const std::string z = viewpoints.rows[0][viewpoints.column("z")];
-  std::ostringstream beside;
-  beside.precision(17);
-  beside << std::nextafter(std::stod(z), 10.0);
-  damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
-  expect_contradiction("each viewpoint lies in its region");
-}
-TEST_F(VerifyViewpoints, FindsAViewpointThatSeesMoreThanItsRegion) {
-  // The viewpoint's first element becomes one that its region does not see.
-  const Table viewpoints(bundle() / "viewpoints.csv");
-  const std::string region = viewpoints.rows[0][viewpoints.column("region")];
-  const std::string visibility = read_file(bundle() / "visibility.mtx");
-  int unseen = 1;
-  while (visibility.find("\n" + region + " " + std::to_string(unseen) + "\n") !=
-         std::string::npos) {
-    ++unseen;
-  }
-  damage("viewpoints.mtx", "\n1 \\d+\n", "\n1 " + std::to_string(unseen) + "\n");
-  expect_contradiction("each viewpoint sees no more than its region");
-}
-TEST_F(VerifyViewpoints, FindsAWrongShareOfViewpoints) {
-  damage("viewpoints.csv", ",100,", ",99,");
-  expect_contradiction("viewpoints.csv states");
-}
-TEST_F(VerifyViewpoints, FindsAMissingViewpoint) {
-  damage("run.json", "\"viewpoints\": \\d+,(\\s*\"viewpoints_by)", "\"viewpoints\": 1,$1");
-  expect_contradiction("viewpoints.csv, viewpoints.mtx and run.json agree");
-}
-
-class VerifyBound : public Verify {
- protected:
-  void SetUp() override {
-    solve({"--regions", "4", "--element-area", "2"});
-    const Json results = run_json(bundle()).at("results");
-    ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));
-    ASSERT_EQ(verify().exit_code, 0);
-  }
-};
-
-TEST_F(VerifyBound, FindsAWrongProof) {
-  damage("bound.proof", "\nbound (\\d+)", "\nbound 99");
-  expect_contradiction("bound.proof proves");
-}
-TEST_F(VerifyBound, FindsAMissingCell) {
-  damage("bound.csv", "\n2,1,", "\n2,2,");
-  expect_contradiction("the cells of the bound tile the regions");
-}
-TEST_F(VerifyBound, FindsABoundThatIsTooHigh) {
-  damage("run.json", "\"viewpoints_lower_bound\": \\d+", "\"viewpoints_lower_bound\": 99");
-  expect_contradiction("the lower bound is at most");
-}
-
 TEST_F(Verify, AnIncompleteRunIsNoBundle) {
   damage("run.json", "\"complete\": true", "\"complete\": false");
   const Outcome outcome = verify();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.error, HasSubstr("not complete"));
+}
+
+/// An exact bundle with viewpoints, whose lower bound took cells smaller than regions.
+class VerifyViewpoints : public Verify {
+ protected:
+  void SetUp() override {
+    solve({"--regions", "4", "--element-area", "2"});
+    const Json results = run_json(bundle()).at("results");
+    ASSERT_GT(results.at("viewpoints_lower_bound"), results.at("regions_lower_bound"));
+    const Outcome outcome = verify();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    ASSERT_THAT(outcome.out, HasSubstr("holds: each viewpoint sees no elements but those"));
+    std::filesystem::rename(bundle(), folder_.path() / "untouched");
+  }
+
+  /// One solved room for all: it takes longer than all that is done to its copies.
+  void on_a_copy(const char* damage, const std::function<void()>& damage_and_verify) const {
+    SCOPED_TRACE(damage);
+    std::filesystem::remove_all(bundle());
+    std::filesystem::copy(folder_.path() / "untouched", bundle());
+    damage_and_verify();
+  }
+
+  using Pair = std::pair<std::size_t, std::size_t>;
+  std::set<Pair> pairs_of(const std::string& name) const {
+    std::istringstream in(read_file(bundle() / name));
+    std::string line;
+    while (in.peek() == '%') std::getline(in, line);
+    std::getline(in, line);  // sizes
+    std::set<Pair> pairs;
+    for (Pair pair; in >> pair.first >> pair.second;) pairs.insert(pair);
+    return pairs;
+  }
+  /// Sets or clears an entry of viewpoints.mtx.
+  void toggle(Pair pair) const {
+    std::set<Pair> pairs = pairs_of("viewpoints.mtx");
+    if (!pairs.insert(pair).second) pairs.erase(pair);
+    const Table viewpoints(bundle() / "viewpoints.csv"), elements(bundle() / "elements.csv");
+    std::ofstream out(bundle() / "viewpoints.mtx");
+    out << "%%MatrixMarket matrix coordinate pattern general\n"
+        << viewpoints.rows.size() << ' ' << elements.rows.size() << ' ' << pairs.size() << '\n';
+    for (const auto& [viewpoint, element] : pairs) out << viewpoint << ' ' << element << '\n';
+  }
+  /// A pair of a viewpoint and an element that its region and another viewpoint see, so that no
+  /// other claim tells whether the viewpoint sees it.
+  Pair pair_that(bool is_seen) const {
+    const std::set<Pair> visible = pairs_of("visibility.mtx"), seen = pairs_of("viewpoints.mtx");
+    const Table viewpoints(bundle() / "viewpoints.csv");
+    for (std::size_t i = 1; i <= viewpoints.rows.size(); ++i) {
+      const auto region = std::stoul(viewpoints.rows[i - 1][viewpoints.column("region")]);
+      for (const auto& [other, element] : seen) {
+        if (other != i && visible.contains({region, element}) &&
+            seen.contains({i, element}) == is_seen && other < i) {
+          return {i, element};
+        }
+      }
+    }
+    ADD_FAILURE() << "no such pair";
+    return {1, 1};
+  }
+};
+
+TEST_F(VerifyViewpoints, FindsEachDamage) {
+  on_a_copy("a viewpoint outside its region", [&] {
+    // As little as one unit in the last place beside the region's plane.
+    const Table viewpoints(bundle() / "viewpoints.csv");
+    const std::string z = viewpoints.rows[0][viewpoints.column("z")];
+    std::ostringstream beside;
+    beside.precision(17);
+    beside << std::nextafter(std::stod(z), 10.0);
+    damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
+    expect_contradiction("each viewpoint lies in its region");
+  });
+  on_a_copy("a viewpoint that sees more than its region", [&] {
+    // The viewpoint's first element becomes one that its region does not see.
+    const Table viewpoints(bundle() / "viewpoints.csv");
+    const std::string region = viewpoints.rows[0][viewpoints.column("region")];
+    const std::string visibility = read_file(bundle() / "visibility.mtx");
+    int unseen = 1;
+    while (visibility.find("\n" + region + " " + std::to_string(unseen) + "\n") !=
+           std::string::npos) {
+      ++unseen;
+    }
+    damage("viewpoints.mtx", "\n1 \\d+\n", "\n1 " + std::to_string(unseen) + "\n");
+    expect_contradiction("each viewpoint sees no more than its region");
+  });
+  on_a_copy("a wrong share of viewpoints", [&] {
+    damage("viewpoints.csv", ",100,", ",99,");
+    expect_contradiction("viewpoints.csv states");
+  });
+  on_a_copy("a missing viewpoint", [&] {
+    damage("run.json", "\"viewpoints\": \\d+,(\\s*\"viewpoints_by)", "\"viewpoints\": 1,$1");
+    expect_contradiction("viewpoints.csv, viewpoints.mtx and run.json agree");
+  });
+  on_a_copy("an element that a viewpoint does not see", [&] {
+    const auto [viewpoint, element] = pair_that(false);
+    toggle({viewpoint, element});
+    expect_only_contradiction(
+        joined("each viewpoint sees the elements that viewpoints.mtx says: viewpoint ", viewpoint,
+               " does not see element ", element));
+  });
+  on_a_copy("an element that a viewpoint sees unsaid", [&] {
+    const auto [viewpoint, element] = pair_that(true);
+    toggle({viewpoint, element});
+    expect_only_contradiction(
+        joined("each viewpoint sees no elements but those that viewpoints.mtx says: viewpoint ",
+               viewpoint, " sees element ", element));
+  });
+  on_a_copy("a wrong proof", [&] {
+    damage("bound.proof", "\nbound (\\d+)", "\nbound 99");
+    expect_contradiction("bound.proof proves");
+  });
+  on_a_copy("a missing cell", [&] {
+    damage("bound.csv", "\n2,1,", "\n2,2,");
+    expect_contradiction("the cells of the bound tile the regions");
+  });
+  on_a_copy("a bound that is too high", [&] {
+    damage("run.json", "\"viewpoints_lower_bound\": \\d+", "\"viewpoints_lower_bound\": 99");
+    expect_contradiction("the lower bound is at most");
+  });
 }
 
 }  // namespace
