@@ -19,11 +19,14 @@
 namespace viewcover {
 namespace {
 
-constexpr std::size_t kNodes = 2000;
+/// For covers that are asked for often.
+constexpr PoolCoverEffort kEffort{.nodes = 300, .patience = 200'000};
 /// Prices come from floating point.
 constexpr double kPriceTolerance = 1e-6;
 /// Positions tried for what is still unseen: random ones in each region; the best are annealed.
 constexpr std::size_t kRandomPositions = 4, kAnnealed = 16, kEvaluations = 64;
+/// Special positions near an annealed one that are looked round, too.
+constexpr std::size_t kBestSpecial = 3;
 /// New viewpoints after each audit, at most.
 constexpr std::size_t kMostAdditions = 12;
 /// Regions searched by prices in a round.
@@ -216,7 +219,7 @@ std::vector<Viewpoint> FullSearch::cover_witnesses() {
         if (rows.test(i, asked_[k])) asked.set(i, k);
       }
     }
-    cover_ = cover_pool(asked, kNodes, options_.seed, limits_.expired() ? unlimited : limits_);
+    cover_ = cover_pool(asked, kEffort, options_.seed, limits_.expired() ? unlimited : limits_);
     const std::vector<BitRows::Word> seen = rows.union_of(cover_.chosen);
     std::vector<std::uint32_t> unseen;
     for (std::uint32_t w = 0; w < rows.columns(); ++w) {
@@ -266,9 +269,18 @@ std::vector<ValuedViewpoint> FullSearch::anneal(std::size_t region, std::optiona
   if (annealed.records.empty()) return found;
   const Viewpoint best{annealed.records.back(), region};
   found.push_back({best, annealed.benefit});
-  for (const Viewpoint& special : special_.near(best)) {
-    const double benefit = value_of(special, places);
-    if (benefit >= annealed.benefit) found.push_back({special, benefit});
+  std::vector<ValuedViewpoint> special;
+  const auto add = [&](const Viewpoint& viewpoint) {
+    special.push_back({viewpoint, value_of(viewpoint, places)});
+  };
+  std::ranges::for_each(special_.near(best), add);
+  std::ranges::stable_sort(special, std::greater(), &ValuedViewpoint::value);
+  special.resize(std::min(special.size(), kBestSpecial));
+  for (const ValuedViewpoint& valued : std::vector(special)) {
+    std::ranges::for_each(special_.beside(valued.viewpoint), add);
+  }
+  for (const ValuedViewpoint& valued : special) {
+    if (valued.value >= annealed.benefit) found.push_back(valued);
   }
   std::ranges::stable_sort(found, std::greater(), &ValuedViewpoint::value);
   return found;
@@ -446,7 +458,7 @@ void FullSearch::add_by_prices() {
 /// leave unseen the witnesses.
 bool FullSearch::raise_bound() {
   if (!bound_) {
-    bound_.emplace(witnesses_, asked_, limits_, options_.seed);
+    bound_.emplace(witnesses_, asked_, limits_, options_.seed, kEffort);
   } else {
     bound_->ask(asked_);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace viewcover {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// Lines that a position is moved to.
 constexpr std::size_t kNearestLines = 6;
 /// Shares of the extent: what counts as the same, and how far from a line positions are moved.
-constexpr double kSame = 1e-9, kReach = 0.15;
+constexpr double kSame = 1e-9, kReach = 0.15, kBeside = 1e-6;
 /// Of a region's extent: how far a position may be rounded.
 constexpr double kRounding = 1e-5;
 /// From a surface into the region, as a share of the way to the region's middle.
@@ -83,6 +84,29 @@ std::vector<Viewpoint> SpecialPositions::corners() const {
   return positions;
 }
 
+std::optional<Point> SpecialPositions::crossing(const Line& a, const Line& b, const Point& from,
+                                                const Point& up) {
+  // from + d with a.normal . d = r, b.normal . d = s, d in the part's plane.
+  const double r = a.offset - a.normal.dot(from), s = b.offset - b.normal.dot(from);
+  const double det = a.normal.cross(b.normal).dot(up);
+  if (std::fabs(det) < kSame) return std::nullopt;
+  return from + (r * b.normal.cross(up) - s * a.normal.cross(up)) / det;
+}
+
+std::vector<Viewpoint> SpecialPositions::beside(const Viewpoint& viewpoint) const {
+  constexpr int kDirections = 8;
+  const ConvexPolygon& region = views_.positions(viewpoint.region).region();
+  const Point u = (region[1] - region[0]).normalized(),
+              v = area_vector(region).normalized().cross(u);
+  std::vector<Viewpoint> positions;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / kDirections;
+    add_at(viewpoint.position + kBeside * extent_ * (std::cos(angle) * u + std::sin(angle) * v),
+           positions);
+  }
+  return positions;
+}
+
 std::vector<Viewpoint> SpecialPositions::near(const Viewpoint& viewpoint) const {
   const std::size_t part = viewpoint.region / views_.region().regions_per_part();
   const Point& from = viewpoint.position;
@@ -98,13 +122,14 @@ std::vector<Viewpoint> SpecialPositions::near(const Viewpoint& viewpoint) const 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     points.push_back(from + (lines[i].offset - lines[i].normal.dot(from)) * lines[i].normal);
     for (std::size_t j = 0; j < i; ++j) {
-      // from + d with normal_i . d = r_i, normal_j . d = r_j, d in the part's plane.
-      const double r = lines[i].offset - lines[i].normal.dot(from),
-                   s = lines[j].offset - lines[j].normal.dot(from);
-      const double det = lines[i].normal.cross(lines[j].normal).dot(up);
-      if (std::fabs(det) < kSame) continue;
-      points.push_back(from +
-                       (r * lines[j].normal.cross(up) - s * lines[i].normal.cross(up)) / det);
+      const auto ij = crossing(lines[i], lines[j], from, up);
+      if (!ij) continue;
+      points.push_back(*ij);
+      for (std::size_t k = 0; k < j; ++k) {
+        const auto ik = crossing(lines[i], lines[k], from, up),
+                   jk = crossing(lines[j], lines[k], from, up);
+        if (ik && jk) points.push_back((*ij + *ik + *jk) / 3);
+      }
     }
   }
   std::erase_if(points,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "viewpoints/region_views.h"
@@ -21,8 +21,12 @@ class SpecialPositions {
 
   /// At the corners of the parts of the viewing region.
   std::vector<Viewpoint> corners() const;
-  /// At crossings of the lines nearest to a position, and on these lines. Ascending by distance.
+  /// On the lines nearest to a position, at their crossings, and in the middle of the triangles
+  /// between them. Ascending by distance.
   std::vector<Viewpoint> near(const Viewpoint& viewpoint) const;
+  /// Just beside a position, all round: off the planes that hold it, whose surfaces are not seen
+  /// from there.
+  std::vector<Viewpoint> beside(const Viewpoint& viewpoint) const;
 
  private:
   /// The line of points x in a part's plane with normal . x = offset.
@@ -31,6 +35,8 @@ class SpecialPositions {
     double offset = 0;
   };
 
+  static std::optional<Point> crossing(const Line& a, const Line& b, const Point& from,
+                                       const Point& up);
   /// Positions at a point in all regions that hold it, but for rounding.
   void add_at(const Point& point, std::vector<Viewpoint>& positions) const;
 

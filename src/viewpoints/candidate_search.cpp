@@ -15,7 +15,7 @@ constexpr std::size_t kSamples = 1024, kSamplesPerRegion = 2;
 constexpr std::size_t kFewViewers = 6, kRegionsPerElement = 4;
 /// The most candidates the cover is computed for.
 constexpr std::size_t kMostCandidates = 4000;
-constexpr std::size_t kNodes = 200;
+constexpr PoolCoverEffort kEffort{.nodes = 200};
 /// Annealing runs in a round, and positions in a run.
 constexpr std::size_t kRuns = 48, kEvaluations = 40;
 /// What counts as a fall of the relaxation.
@@ -96,7 +96,7 @@ void CandidateSearch::cover_candidates() {
     pool_.keep_best(kMostCandidates / 2, scores);
     add(best_);
   }
-  cover_ = cover_pool(pool_.rows(), kNodes, options_.seed, looks_.limits());
+  cover_ = cover_pool(pool_.rows(), kEffort, options_.seed, looks_.limits());
   if (cover_.chosen.size() >= best_.size()) return;
   best_.clear();
   for (const std::size_t i : cover_.chosen) best_.push_back(pool_[i]);

@@ -13,8 +13,6 @@ namespace {
 
 /// A tree this small is searched before a heuristic is asked.
 constexpr std::size_t kNodesBeforeHeuristic = 20;
-constexpr std::uint64_t kHeuristicPatience = 3'000'000;
-constexpr double kHeuristicShareOfTime = 0.1;
 
 void add_prices(const CoverComponent& component, SearchLimits& limits, PoolCover& cover) {
   const CoverNodeState state(component.incidence);
@@ -30,7 +28,7 @@ void add_prices(const CoverComponent& component, SearchLimits& limits, PoolCover
 
 }  // namespace
 
-PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t seed,
+PoolCover cover_pool(const BitRows& rows, const PoolCoverEffort& effort, std::uint64_t seed,
                      SearchLimits& limits) {
   PoolCover cover;
   cover.prices.assign(rows.columns(), 0.0);
@@ -43,11 +41,11 @@ PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t 
   for (const CoverComponent& component : reduction.components) {
     add_prices(component, limits, cover);
     CoverTree tree(component.incidence, greedy_cover(component.incidence), limits);
-    tree.search({.nodes = std::min(kNodesBeforeHeuristic, most_nodes)});
+    tree.search({.nodes = std::min(kNodesBeforeHeuristic, effort.nodes)});
     if (tree.bound() < tree.best().size()) {
       HeuristicCover heuristic(component.incidence, limits, seed);
-      tree.offer(heuristic.run_for_share(kHeuristicShareOfTime, kHeuristicPatience));
-      tree.search({.nodes = most_nodes});
+      tree.offer(heuristic.run(effort.patience));
+      tree.search({.nodes = effort.nodes});
     }
     cover.lower_bound += tree.bound();
     for (const std::uint32_t row : tree.best()) cover.chosen.push_back(component.rows[row]);

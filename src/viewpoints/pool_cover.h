@@ -20,10 +20,15 @@ struct PoolCover {
   double relaxation = 0;  ///< the sum of the prices
 };
 
-/// Reductions, the linear programme, branch and bound of up to `most_nodes` nodes a component, with
-/// a local search where that does not end. Deterministic unless the limits expire.
-/// Errors: Interrupted.
-PoolCover cover_pool(const BitRows& rows, std::size_t most_nodes, std::uint64_t seed,
+/// How hard a smallest cover is looked for, in each component.
+struct PoolCoverEffort {
+  std::size_t nodes = 500;             ///< of branch and bound
+  std::uint64_t patience = 3'000'000;  ///< of local search, where that many do not end
+};
+
+/// Reductions, the linear programme, branch and bound, with a local search where that does not end.
+/// Deterministic unless the limits expire. Errors: Interrupted.
+PoolCover cover_pool(const BitRows& rows, const PoolCoverEffort& effort, std::uint64_t seed,
                      SearchLimits& limits);
 
 }  // namespace viewcover

@@ -14,15 +14,15 @@ namespace {
 
 /// Cells split in a round.
 constexpr std::size_t kSplits = 64;
-constexpr std::size_t kNodes = 500;
 /// Prices come from floating point.
 constexpr double kPriceTolerance = 1e-6;
 
 }  // namespace
 
 BoundRefinement::BoundRefinement(const CellViews& views, std::span<const std::uint32_t> columns,
-                                 SearchLimits& limits, std::uint64_t seed)
-    : views_(views), limits_(limits), seed_(seed) {
+                                 SearchLimits& limits, std::uint64_t seed,
+                                 const PoolCoverEffort& effort)
+    : views_(views), limits_(limits), seed_(seed), effort_(effort) {
   const ViewingRegion& region = views.region();
   for (std::size_t i = 0; i < region.region_count(); ++i) {
     cells_.push_back({region.address(i), i, views.positions(i).region()});
@@ -58,7 +58,7 @@ void BoundRefinement::find_lends() { lends_ = views_.lends(cells_); }
 
 bool BoundRefinement::refine() {
   const BitRows matrix = rows();
-  PoolCover cover = cover_pool(matrix, kNodes, seed_, limits_);
+  PoolCover cover = cover_pool(matrix, effort_, seed_, limits_);
   if (limits_.expired()) return false;
   cover_ = std::move(cover.chosen);
   prices_ = std::move(cover.prices);

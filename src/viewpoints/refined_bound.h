@@ -7,6 +7,7 @@
 #include "optim/cover_proof.h"
 #include "viewpoints/cell_views.h"
 #include "viewpoints/looks.h"
+#include "viewpoints/pool_cover.h"
 
 namespace viewcover {
 
@@ -32,9 +33,9 @@ struct RefinedBound {
 /// Not safe for concurrent use; decides in parallel.
 class BoundRefinement {
  public:
-  /// The views and limits must outlive the refinement.
+  /// The views and limits must outlive the refinement. `effort`: for each smallest cover by cells.
   BoundRefinement(const CellViews& views, std::span<const std::uint32_t> columns,
-                  SearchLimits& limits, std::uint64_t seed);
+                  SearchLimits& limits, std::uint64_t seed, const PoolCoverEffort& effort = {});
 
   /// Names further columns; those that were named before stay. Cost: a decision for each of them
   /// and each cell below a region that sees it.
@@ -63,6 +64,7 @@ class BoundRefinement {
   const CellViews& views_;
   SearchLimits& limits_;
   std::uint64_t seed_;
+  PoolCoverEffort effort_;
   std::vector<RegionCell> cells_;
   std::vector<std::vector<BitRows::Word>> seen_;            ///< by cell
   std::vector<std::pair<std::size_t, std::size_t>> lends_;  ///< by which rows grow

@@ -44,7 +44,7 @@ TEST(CoverPool, PricesBoundAFractionalCover) {
   }
   SearchLimits limits{CoverOptions()};
   const BitRows rows = pool.rows();
-  const PoolCover cover = cover_pool(rows, 100, 1, limits);
+  const PoolCover cover = cover_pool(rows, {.nodes = 100}, 1, limits);
   EXPECT_EQ(cover.chosen.size(), 3u);
   EXPECT_EQ(cover.lower_bound, 3u);
   EXPECT_NEAR(cover.relaxation, 2.5, 1e-6);

@@ -1,4 +1,4 @@
-#include "viewpoints/gallery_polygons.h"
+#include "full_coverage/gallery_polygons.h"
 
 #include <gtest/gtest.h>
 
