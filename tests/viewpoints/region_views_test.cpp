@@ -127,6 +127,49 @@ TEST(RegionViews, RaysSeeNothingThatIsHidden) {
   EXPECT_GT(same, more);
 }
 
+TEST(RegionViews, WallsSeenEdgeOnOrFromBehindAreNotSeen) {
+  // A wall above the middle of the region, its front toward +x.
+  const std::vector<ConvexPolygon> wall = {{{1, 0, 1}, {1, 1, 1}, {1, 1, 2}, {1, 0, 2}}};
+  for (const bool one_sided : {false, true}) {
+    const SolvedScene solved(testing::scene_of(wall),
+                             testing::region_of(testing::horizontal(0, 0, 2, 1, 0), 0), 10,
+                             std::make_unique<ExactBackend>(1), one_sided);
+    const RegionPositions& positions = solved.views.positions(0);
+    const auto is_seen_from = [&](double x) {
+      return has(seen_from(solved.views, 0, positions.nearest({x, 0.5, 0})), 0);
+    };
+    EXPECT_TRUE(is_seen_from(1.5));
+    EXPECT_FALSE(is_seen_from(1));
+    EXPECT_EQ(is_seen_from(0.5), !one_sided);
+  }
+}
+
+TEST(RegionViews, CellsSeeWhatTheirPositionsSee) {
+  const auto solved = solved_room(16);
+  RandomNumbers random(15);
+  std::size_t seen = 0, unseen = 0;
+  for (const std::size_t region : {3, 6}) {
+    const RegionAddress cell = solved->region.address(region).child(2).child(1);
+    const ConvexPolygon polygon = solved->region.polygon(cell);
+    const RegionPositions positions(polygon, solved->scene.bounds, solved->scene.lattice.exponent);
+    Words from_cell(solved->matrix.bits.words_per_row());
+    for (int i = 0; i < 8; ++i) {
+      const Point position = positions.random(random);
+      if (solved->views.is_free(region, position)) {
+        solved->views.look(region, position, from_cell);
+      }
+    }
+    for (std::size_t column = region; column < solved->views.column_count(); column += 5) {
+      if (!solved->matrix.bits.test(region, column)) continue;
+      const bool cell_sees = solved->views.cell_sees(region, cell, polygon, column);
+      EXPECT_TRUE(cell_sees || !has(from_cell, column)) << "region " << region << " " << column;
+      ++(cell_sees ? seen : unseen);
+    }
+  }
+  EXPECT_GT(seen, 100u);
+  EXPECT_GT(unseen, 10u);
+}
+
 /// A wall that stands on the region: from a point of its foot both sides would be seen.
 TEST(RegionViews, PositionsThatTouchASurfaceAreNotFree) {
   std::vector<ConvexPolygon> polygons = {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},

@@ -7,6 +7,7 @@
 #include "optim/cover_proof.h"
 #include "support/generated.h"
 #include "support/sanitized.h"
+#include "viewpoints/paper_search.h"
 #include "viewpoints/refined_bound.h"
 #include "viewpoints/solved_scene.h"
 
@@ -132,6 +133,43 @@ TEST_P(LivingRooms, AreSeenWholeWhateverTheThreads) {
   EXPECT_LE(sets[0].viewpoints.size(), sets[0].paper_viewpoints);
 }
 
+TEST(ViewpointSearch, NamesWhatNoPositionSees) {
+  // Positions are multiples of 2^-17 here; a chimney of a quarter of that stands between them, and
+  // what is beside it by its width does not see its lid.
+  const double unit = 0x1p-20;
+  const Point low(4 + 2 * unit, 4 + 2 * unit, 1), high(4 + 4 * unit, 4 + 4 * unit, 9);
+  std::vector<ConvexPolygon> polygons = testing::box_walls(low, high);
+  polygons.push_back(testing::horizontal(low.x(), low.y(), high.x(), high.y(), 9));
+  const SolvedScene solved(testing::scene_of(polygons),
+                           testing::region_of(testing::horizontal(0, 0, 8, 8, 0), 0), 100);
+  ASSERT_EQ(solved.views.positions(0).bits(), 20);
+  const auto lid = std::ranges::find(solved.matrix.elements, ElementAddress(SurfaceId(4)));
+  ASSERT_NE(lid, solved.matrix.elements.end());
+  const ViewpointSet set = find_viewpoints(solved.views, solved.options());
+  EXPECT_EQ(set.missing, std::vector<std::size_t>{
+                             static_cast<std::size_t>(lid - solved.matrix.elements.begin())});
+}
+
+/// Four annealing runs from one region, and the best of their positions is taken first.
+TEST(PaperSearch, TakesWhatAddsMost) {
+  // A floor at height 1, seen through what plates leave open, from (x, y) an area of x y.
+  const std::vector<ConvexPolygon> polygons = {testing::horizontal(0, 0, 1, 1, 1),
+                                               testing::horizontal(-2, -2, 0.5, 2, 0.5),
+                                               testing::horizontal(0.5, -2, 2, 0.5, 0.5)};
+  const SolvedScene solved(testing::scene_of(polygons),
+                           testing::region_of(testing::horizontal(0, 0, 1, 1, 0), 0), 0x1p-8);
+  SearchLimits limits{CoverOptions()};
+  Looks looks(solved.views, limits, nullptr);
+  CandidatePool pool(solved.views.column_count());
+  const PaperViewpoints paper = paper_search(looks, solved.options(), pool);
+  ASSERT_FALSE(paper.chosen.empty());
+  double seen = 0;
+  for_each_bit(std::span<const BitRows::Word>(paper.chosen[0].seen), [&](std::size_t column) {
+    if (solved.matrix.elements[column].owner() == SurfaceId(0)) seen += solved.matrix.areas[column];
+  });
+  EXPECT_GT(seen, 0.9);
+}
+
 TEST(ViewpointSearch, ATimeLimitLeavesAWholeSet) {
   const SolvedScene solved(testing::scene_of(testing::chimneys(4)), testing::under_chimneys(4, 0),
                            100);
@@ -149,6 +187,19 @@ TEST(ViewpointSearch, StopsWhenTold) {
   const std::atomic<bool> stop = true;
   options.stop = &stop;
   EXPECT_THROW(find_viewpoints(solved.views, options), Interrupted);
+}
+
+void expect_cells_see_what_positions_see(const SolvedScene& solved, const RefinedBound& bound) {
+  RandomNumbers random(1);
+  for (std::size_t i = 0; i < bound.cells.size(); ++i) {
+    const RegionPositions positions(solved.region.polygon(bound.cells[i]), solved.scene.bounds,
+                                    solved.scene.lattice.exponent);
+    const Point position = positions.random(random);
+    if (!solved.views.is_free(0, position)) continue;
+    std::vector<BitRows::Word> seen(bound.seen.words_per_row());
+    solved.views.look(0, position, seen);
+    for (std::size_t w = 0; w < seen.size(); ++w) EXPECT_EQ(seen[w] & ~bound.seen.row(i)[w], 0u);
+  }
 }
 
 /// Cells under chimneys: as many as chimneys, and each certificate holds what it says.
@@ -174,6 +225,7 @@ TEST(BoundRefinement, NeverFallsAndTilesTheRegion) {
     area += std::ldexp(1.0, -2 * cell.level());
   }
   EXPECT_EQ(area, 1);
+  expect_cells_see_what_positions_see(solved, refinement.bound());
   EXPECT_TRUE(std::is_sorted(refinement.bound().cells.begin(), refinement.bound().cells.end()));
 }
 
