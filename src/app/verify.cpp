@@ -10,6 +10,7 @@
 #include "report/audit_check.h"
 #include "report/bundle_check.h"
 #include "report/sight_check.h"
+#include "report/witness_check.h"
 #include "scene/error.h"
 
 namespace viewcover {
@@ -31,6 +32,8 @@ std::vector<BundleClaim> checked_claims(const VerifyOptions& options) {
                                     static_cast<std::size_t>(thread_count(options.common)));
   std::vector<BundleClaim> claims = check_bundle(folder);
   std::ranges::move(check_sights(folder, options.scene), std::back_inserter(claims));
+  std::ranges::move(check_witnesses(folder, {.scene_file = options.scene, .seed = audit.seed}),
+                    std::back_inserter(claims));
   if (std::filesystem::exists(folder / "audit.csv")) {
     std::ranges::move(check_audit(folder, audit), std::back_inserter(claims));
   }

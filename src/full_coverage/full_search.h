@@ -14,7 +14,7 @@ struct FullCoverageOptions {
   std::uint64_t seed = 1;
   /// Rounds of looking for fewer viewpoints and of raising the bound without success, or the
   /// seconds until rounds end however many there were, where they are given.
-  int patience = 8;
+  int patience = 12;
   double close_gap_seconds = 0;
   double time_limit_seconds = 0;            ///< 0: none
   const std::atomic<bool>* stop = nullptr;  ///< ends the search with Interrupted

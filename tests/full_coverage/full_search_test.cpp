@@ -6,8 +6,10 @@
 #include "audit/unseen_area.h"
 #include "full_coverage/full_coverage.h"
 #include "full_coverage/gallery_polygons.h"
+#include "scene/error.h"
 #include "scene/scratch_folder.h"
 #include "support/sanitized.h"
+#include "viewpoints/column_bits.h"
 #include "viewpoints/refined_bound.h"
 #include "viewpoints/solved_scene.h"
 
@@ -47,11 +49,13 @@ TEST_P(Galleries, BoundAndViewpointsMeetAtTheArtGalleryNumber) {
   const ViewpointSet set = full_coverage_of(*solved);
   EXPECT_LE(set.lower_bound, gallery_case.optimum);
   EXPECT_GE(set.viewpoints.size(), gallery_case.optimum);
-  EXPECT_EQ(set.lower_bound, gallery_case.optimum);
-  EXPECT_EQ(set.viewpoints.size(), gallery_case.optimum);
+  // A guard in line with a wall sees the floor, but not that wall: one more image does.
+  if (gallery_case.walls_too) {
+    EXPECT_EQ(set.lower_bound, gallery_case.optimum);
+    EXPECT_EQ(set.viewpoints.size(), gallery_case.optimum);
+  }
   EXPECT_EQ(set.missing, std::vector<std::size_t>());
-  const double whole = unseen_area(*solved, {}),
-               missed = unseen_area(*solved, set.viewpoints);
+  const double whole = unseen_area(*solved, {}), missed = unseen_area(*solved, set.viewpoints);
   EXPECT_LE(missed, 1e-3 * whole);
   EXPECT_NEAR(set.full->imaged_percent.back(), 100 * (1 - missed / whole), 1e-6);
 }
@@ -64,7 +68,137 @@ std::string name_of(const ::testing::TestParamInfo<GalleryCase>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Known, Galleries, ::testing::ValuesIn(gallery_cases()), name_of);
+/// A few small ones with sanitizers, which take ten times as long.
+std::vector<GalleryCase> galleries() {
+  std::vector<GalleryCase> cases = gallery_cases();
+  if (sanitized()) {
+    std::erase_if(cases, [](const GalleryCase& gallery_case) {
+      return gallery_case.optimum > 2 || gallery_case.outer.size() > 8;
+    });
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Galleries, ::testing::ValuesIn(galleries()), name_of);
+
+GalleryCase gallery_named(const std::string& name) {
+  const std::vector<GalleryCase> cases = gallery_cases();
+  return *std::ranges::find(cases, name, &GalleryCase::name);
+}
+
+TEST(FullSearch, ViewpointsSeeAllWitnessesAndTheCellsTooFewToSeeThemAreProved) {
+  const auto solved = solved_gallery(gallery_named("comb, 3 upright teeth"), 4, 4);
+  const ViewpointSet set = full_coverage_of(*solved);
+  const OpenSegments segments(solved->views.occluders());
+  for (const ElementTarget& witness : set.full->witnesses) {
+    EXPECT_TRUE(std::ranges::any_of(set.viewpoints, [&](const Viewpoint& viewpoint) {
+      return solved->views.is_facing(witness.column, viewpoint.position) &&
+             segments.is_free(viewpoint.position, witness.place);
+    }));
+  }
+  ASSERT_EQ(set.lower_bound, 3u);
+  ASSERT_GT(set.lower_bound, solved->cover.lower_bound) << "else there is nothing to raise";
+  ASSERT_NE(set.refined_bound, nullptr);
+  EXPECT_TRUE(set.full->bound_is_of_witnesses);
+  EXPECT_EQ(set.refined_bound->lower_bound, 3u);
+  EXPECT_LE(set.refined_bound->seen.columns(), set.full->witnesses.size());
+}
+
+// Elements as large as a wall of a corridor: a part of each is seen from one end already.
+TEST(FullSearch, AsksForMoreThanAPartOfEachElement) {
+  const auto solved = solved_gallery(gallery_named("grid of 1 x 1 holes"), 4, 64);
+  const ViewpointSet parts = find_viewpoints(solved->views, solved->options());
+  const ViewpointSet full = find_full_coverage(solved->views, parts, {});
+  EXPECT_LE(unseen_area(*solved, full.viewpoints), unseen_area(*solved, parts.viewpoints));
+  EXPECT_GE(full.lower_bound, parts.lower_bound);
+  EXPECT_EQ(full.viewpoints.size(), 2u);
+}
+
+TEST(FullSearch, TheSameForAnyNumberOfThreads) {
+  const auto solved = solved_gallery(gallery_named("a triangular pillar"), 4, 4);
+  std::optional<ViewpointSet> first;
+  for (const std::size_t threads : {1, 2, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const ViewpointSet set = full_coverage_of(*solved);
+    if (!first) first = set;
+    EXPECT_EQ(set.viewpoints, first->viewpoints);
+    EXPECT_EQ(set.full->imaged_percent, first->full->imaged_percent);
+    EXPECT_EQ(set.full->witnesses.size(), first->full->witnesses.size());
+    EXPECT_EQ(set.lower_bound, first->lower_bound);
+  }
+}
+
+TEST(FullSearch, EachViewpointAddsImagedAreaUpToTheShare) {
+  const auto solved = solved_gallery(gallery_named("two pillars"), 4, 4);
+  for (const double share : {0.2, 1e-2, 1e-5}) {
+    FullCoverageOptions options;
+    options.missed_share = share;
+    const ViewpointSet set = full_coverage_of(*solved, options);
+    const std::vector<double>& percent = set.full->imaged_percent;
+    EXPECT_TRUE(std::ranges::is_sorted(percent));
+    EXPECT_LE(percent.back(), 100 + 1e-9);
+    EXPECT_LE(set.full->further_gain_percent, 100 * share);
+    for (std::size_t i = 0; i < set.viewpoints.size(); ++i) {
+      EXPECT_TRUE(is_subset(set.seen.row(i), solved->matrix.bits.row(set.viewpoints[i].region)));
+    }
+  }
+}
+
+TEST(FullSearch, InterruptedAndOutOfTime) {
+  const auto solved = solved_gallery(gallery_named("two pillars"), 4, 4);
+  FullCoverageOptions options;
+  options.time_limit_seconds = 1e-6;
+  const ViewpointSet set = full_coverage_of(*solved, options);
+  EXPECT_TRUE(set.time_limit_reached);
+  EXPECT_FALSE(set.viewpoints.empty());
+  EXPECT_LE(set.lower_bound, set.viewpoints.size());
+  const std::atomic<bool> stop = true;
+  options = {};
+  options.stop = &stop;
+  EXPECT_THROW(full_coverage_of(*solved, options), Interrupted);
+}
+
+TEST(UnseenArea, IsWhatAnAuditFindsImagedByNone) {
+  const auto solved = solved_gallery(gallery_named("a pillar"), 4, 4);
+  const ViewpointSet parts = find_viewpoints(solved->views, solved->options());
+  std::vector<Point> positions;
+  UnseenArea unseen(solved->scene, solved->clusters, solved->matrix.elements, {});
+  double before = unseen.area();
+  for (const Viewpoint& viewpoint : parts.viewpoints) {
+    positions.push_back(viewpoint.position);
+    unseen.subtract(viewpoint.position);
+    const Audit audit =
+        audit_images(solved->scene, solved->clusters, solved->matrix.elements, positions);
+    double not_imaged = 0;
+    for (const ElementAudit& element : audit.elements) {
+      not_imaged += element.area - element.imaged_area;
+    }
+    EXPECT_NEAR(unseen.area(), not_imaged, 1e-9 * before);
+    EXPECT_LT(unseen.area(), before);
+    before = unseen.area();
+  }
+}
+
+TEST(OpenSegments, AgreeWithTheAudit) {
+  const auto solved = solved_gallery(gallery_named("two pillars"), 1, 1);
+  const OpenSegments segments(solved->views.occluders());
+  RandomNumbers random(3);
+  for (int i = 0; i < 300; ++i) {
+    // A place in the middle of a piece is imaged iff the segment is free.
+    const std::size_t region = random.below(solved->views.region_count());
+    const Point from = solved->views.positions(region).random(random);
+    if (!solved->views.is_free(region, from)) continue;
+    const std::size_t column = random.below(solved->matrix.elements.size());
+    const std::array<ElementAddress, 1> element = {solved->matrix.elements[column]};
+    const std::array<Point, 1> viewpoint = {from};
+    const Audit audit = audit_images(solved->scene, solved->clusters, element, viewpoint);
+    for (const ImagedPiece& piece : audit.elements[0].pieces) {
+      const auto place = Witnesses(solved->views).place_in(column, piece.polygon);
+      if (!place || !solved->views.is_facing(column, from)) continue;
+      EXPECT_EQ(segments.is_free(from, place->place), piece.images > 0);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace viewcover::testing
