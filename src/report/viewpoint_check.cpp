@@ -8,7 +8,7 @@
 
 #include "optim/check_cover_proof.h"
 #include "optim/cover_file.h"
-#include "report/csv_table.h"
+#include "report/bundle_scene.h"
 #include "scene/address.h"
 #include "scene/convex_polygon.h"
 #include "viewpoints/region_positions.h"
@@ -29,17 +29,6 @@ std::optional<std::size_t> first_missing(std::span<const BitRows::Word> inner,
     if (missing != 0) return w * 64 + static_cast<std::size_t>(std::countr_zero(missing));
   }
   return std::nullopt;
-}
-
-ConvexPolygon polygon_of(const CsvTable& regions, std::size_t region) {
-  ConvexPolygon polygon;
-  for (std::size_t k = 0; regions.has(fmt::format("x{}", k)); ++k) {
-    if (regions.text(region, fmt::format("x{}", k)).empty()) break;
-    polygon.push_back({regions.number(region, fmt::format("x{}", k)),
-                       regions.number(region, fmt::format("y{}", k)),
-                       regions.number(region, fmt::format("z{}", k))});
-  }
-  return polygon;
 }
 
 class ViewpointChecker {
@@ -92,7 +81,7 @@ class ViewpointChecker {
     for (std::size_t i = 0; i < viewpoints_.size(); ++i) {
       const Point position(viewpoints_.number(i, "x"), viewpoints_.number(i, "y"),
                            viewpoints_.number(i, "z"));
-      const ConvexPolygon polygon = polygon_of(regions_, region(i));
+      const ConvexPolygon polygon = corners_in(regions_, region(i));
       if (polygon.size() < 3 || !lies_in(position, polygon)) {
         return fmt::format("viewpoint {} lies outside region {}", i + 1, region(i) + 1);
       }
