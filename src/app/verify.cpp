@@ -31,7 +31,7 @@ std::vector<BundleClaim> checked_claims(const VerifyOptions& options) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(options.common)));
   std::vector<BundleClaim> claims = check_bundle(folder);
-  std::ranges::move(check_sights(folder, options.scene), std::back_inserter(claims));
+  std::ranges::move(check_sights(folder, options.scene, audit.seed), std::back_inserter(claims));
   std::ranges::move(check_witnesses(folder, {.scene_file = options.scene, .seed = audit.seed}),
                     std::back_inserter(claims));
   if (std::filesystem::exists(folder / "audit.csv")) {

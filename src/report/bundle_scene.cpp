@@ -1,9 +1,10 @@
 #include "report/bundle_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
-#include "report/csv_table.h"
 #include "report/run_record.h"
 #include "report/sha256.h"
 #include "scene/error.h"
@@ -33,16 +34,6 @@ SceneRecord scene_record(const std::filesystem::path& folder) {
                      std::string("does not say how the scene was loaded: ") + error.what(),
                      "give the folder of a finished run");
   }
-}
-
-bool has_corners(const CsvTable& table, std::size_t row, const ConvexPolygon& polygon) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const std::string title = "xyz"[axis] + std::to_string(i);
-      if (table.number(row, title) != polygon[i][axis]) return false;
-    }
-  }
-  return true;
 }
 
 /// The node that a row names, if the scene has it.
@@ -77,7 +68,8 @@ void read_elements(const std::filesystem::path& file, BundleScene& bundle) {
   for (std::size_t row = 0; row < table.size(); ++row) {
     const auto address = address_in(table, row, bundle.scene);
     if (!address ||
-        !has_corners(table, row, subdivided(bundle.scene[address->owner()].polygon, *address))) {
+        !std::ranges::equal(corners_in(table, row),
+                            subdivided(bundle.scene[address->owner()].polygon, *address))) {
       throw InputError(table.place(row), "is no element of the scene", advice);
     }
     bundle.elements.push_back(*address);
@@ -106,6 +98,28 @@ BundleScene load_bundle_scene(const std::filesystem::path& folder,
   BundleScene bundle{load_scene(file, record.options), record.options.one_sided, {}, {}};
   read_elements(folder / "elements.csv", bundle);
   return bundle;
+}
+
+ConvexPolygon corners_in(const CsvTable& table, std::size_t row) {
+  ConvexPolygon polygon;
+  for (std::size_t k = 0; table.has(fmt::format("x{}", k)); ++k) {
+    if (table.text(row, fmt::format("x{}", k)).empty()) break;
+    polygon.push_back({table.number(row, fmt::format("x{}", k)),
+                       table.number(row, fmt::format("y{}", k)),
+                       table.number(row, fmt::format("z{}", k))});
+  }
+  return polygon;
+}
+
+ConvexPolygon polygon_of_cell(const CsvTable& cells, std::size_t row, const CsvTable& regions) {
+  const std::size_t region = cells.count(row, "region") - 1;
+  if (region >= regions.size()) return {};
+  const std::size_t level = cells.count(row, "level"), top = regions.count(region, "level");
+  if (level < top || level > static_cast<std::size_t>(kMaxSubdivisionLevel)) return {};
+  const std::uint64_t path = cells.count(row, "path");
+  const RegionAddress below(PartId(0), static_cast<int>(level - top),
+                            path & ((std::uint64_t{1} << (2 * (level - top))) - 1));
+  return subdivided(corners_in(regions, region), below);
 }
 
 std::vector<Point> read_positions(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "report/csv_table.h"
 #include "scene/address.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,12 @@ struct BundleScene {
 /// SHA-256 is not the one in run.json, and elements that are not those of the scene.
 BundleScene load_bundle_scene(const std::filesystem::path& folder,
                               const std::filesystem::path& scene_file = {});
+
+/// The polygon with the corners in columns x0, y0, z0, x1, ... of a row.
+ConvexPolygon corners_in(const CsvTable& table, std::size_t row);
+/// The polygon of a node of bound.csv or regions.csv, down the quadtree from the region that its
+/// row names; empty where it is not in that region.
+ConvexPolygon polygon_of_cell(const CsvTable& cells, std::size_t row, const CsvTable& regions);
 
 /// The columns x, y, z of a CSV file, exactly the doubles that its decimals read as. Errors:
 /// InputError for a file that cannot be read, and for a coordinate that is not a finite number.

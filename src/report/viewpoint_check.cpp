@@ -8,7 +8,7 @@
 
 #include "optim/check_cover_proof.h"
 #include "optim/cover_file.h"
-#include "report/csv_polygon.h"
+#include "report/bundle_scene.h"
 #include "scene/address.h"
 #include "viewpoints/region_positions.h"
 
@@ -80,7 +80,7 @@ class ViewpointChecker {
     for (std::size_t i = 0; i < viewpoints_.size(); ++i) {
       const Point position(viewpoints_.number(i, "x"), viewpoints_.number(i, "y"),
                            viewpoints_.number(i, "z"));
-      const ConvexPolygon polygon = polygon_in(regions_, region(i));
+      const ConvexPolygon polygon = corners_in(regions_, region(i));
       if (polygon.size() < 3 || !lies_in(position, polygon)) {
         return fmt::format("viewpoint {} lies outside region {}", i + 1, region(i) + 1);
       }

@@ -8,7 +8,6 @@
 #include "optim/cover_file.h"
 #include "report/audit_files.h"
 #include "report/bundle_scene.h"
-#include "report/csv_polygon.h"
 #include "report/run_record.h"
 #include "scene/predicates.h"
 #include "scene/random_numbers.h"
@@ -54,16 +53,6 @@ class WitnessChecker {
   }
 
  private:
-  /// Down the quadtree from its region.
-  static ConvexPolygon polygon_of(const CsvTable& cells, std::size_t cell,
-                                  const CsvTable& regions) {
-    const std::size_t region = cells.count(cell, "region") - 1;
-    const auto depth = static_cast<int>(cells.count(cell, "level")) -
-                       static_cast<int>(regions.count(region, "level"));
-    const std::size_t below = cells.count(cell, "path") & ((std::size_t{1} << (2 * depth)) - 1);
-    return subdivided(polygon_in(regions, region), RegionAddress(PartId(0), depth, below));
-  }
-
   bool bound_is_of_witnesses() const {
     const Json record = read_complete_run(folder_);
     return record.value("results", Json::object()).value("bound_columns", "") == "witnesses";
@@ -134,8 +123,12 @@ class WitnessChecker {
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
       RandomNumbers random(mixed(options_.seed) + i);
       if (random.below(stride) != 0) return;
-      const RegionPositions positions(polygon_of(cells, pairs[i].first, regions),
-                                      bundle_.scene.bounds, bundle_.scene.lattice.exponent);
+      const ConvexPolygon cell = polygon_of_cell(cells, pairs[i].first, regions);
+      if (cell.empty()) {
+        wrong[i] = 1;
+        return;
+      }
+      const RegionPositions positions(cell, bundle_.scene.bounds, bundle_.scene.lattice.exponent);
       wrong[i] = is_seen(positions.random(random), witnesses_[pairs[i].second]);
     });
     const auto first = std::ranges::find(wrong, 1);

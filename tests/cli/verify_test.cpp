@@ -4,9 +4,11 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "bundle_files.h"
 #include "scene/scratch_folder.h"
@@ -49,10 +51,13 @@ class Verify : public ::testing::Test {
     ASSERT_NE(text, changed);
     std::ofstream(bundle() / name) << changed;
   }
-  void expect_contradiction(const std::string& claim) const {
+  void expect_contradiction(const std::string& claim) const { expect_contradictions({claim}); }
+  void expect_contradictions(const std::vector<std::string>& claims) const {
     const Outcome outcome = verify();
     EXPECT_EQ(outcome.exit_code, 3);
-    EXPECT_THAT(outcome.error, HasSubstr("not true that " + claim));
+    for (const std::string& claim : claims) {
+      EXPECT_THAT(outcome.error, HasSubstr("not true that " + claim));
+    }
   }
   void expect_only_contradiction(const std::string& claim) const {
     const Outcome outcome = verify();
@@ -140,15 +145,36 @@ class VerifyViewpoints : public Verify {
     for (Pair pair; in >> pair.first >> pair.second;) pairs.insert(pair);
     return pairs;
   }
+  void write_pairs(const std::string& name, const std::set<Pair>& pairs) const {
+    std::istringstream in(read_file(bundle() / name));
+    std::string line;
+    while (in.peek() == '%') std::getline(in, line);
+    std::size_t rows = 0, columns = 0;
+    in >> rows >> columns;
+    std::ofstream out(bundle() / name);
+    out << "%%MatrixMarket matrix coordinate pattern general\n"
+        << rows << ' ' << columns << ' ' << pairs.size() << '\n';
+    for (const auto& [row, column] : pairs) out << row << ' ' << column << '\n';
+  }
   /// Sets or clears an entry of viewpoints.mtx.
   void toggle(Pair pair) const {
     std::set<Pair> pairs = pairs_of("viewpoints.mtx");
     if (!pairs.insert(pair).second) pairs.erase(pair);
-    const Table viewpoints(bundle() / "viewpoints.csv"), elements(bundle() / "elements.csv");
-    std::ofstream out(bundle() / "viewpoints.mtx");
-    out << "%%MatrixMarket matrix coordinate pattern general\n"
-        << viewpoints.rows.size() << ' ' << elements.rows.size() << ' ' << pairs.size() << '\n';
-    for (const auto& [viewpoint, element] : pairs) out << viewpoint << ' ' << element << '\n';
+    write_pairs("viewpoints.mtx", pairs);
+  }
+  /// Leaves one row alone with the element that most rows see.
+  void hide_the_most_seen(const std::string& name) const {
+    std::set<Pair> pairs = pairs_of(name);
+    std::map<std::size_t, int> viewers;
+    for (const auto& [row, column] : pairs) ++viewers[column];
+    const std::size_t most = std::ranges::max_element(viewers, {}, [](const auto& entry) {
+                               return entry.second;
+                             })->first;
+    bool is_first = true;
+    std::erase_if(pairs, [&](const Pair& pair) {
+      return pair.second == most && !std::exchange(is_first, false);
+    });
+    write_pairs(name, pairs);
   }
   /// A pair of a viewpoint and an element that its region and another viewpoint see, so that no
   /// other claim tells whether the viewpoint sees it.
@@ -170,32 +196,45 @@ class VerifyViewpoints : public Verify {
 };
 
 TEST_F(VerifyViewpoints, FindsEachDamage) {
-  on_a_copy("a viewpoint outside its region", [&] {
-    // As little as one unit in the last place beside the region's plane.
-    const Table viewpoints(bundle() / "viewpoints.csv");
-    const std::string z = viewpoints.rows[0][viewpoints.column("z")];
-    std::ostringstream beside;
-    beside.precision(17);
-    beside << std::nextafter(std::stod(z), 10.0);
-    damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
-    expect_contradiction("each viewpoint lies in its region");
-  });
-  on_a_copy("a viewpoint that sees more than its region", [&] {
-    // The viewpoint's first element becomes one that its region does not see.
-    const Table viewpoints(bundle() / "viewpoints.csv");
-    const std::string region = viewpoints.rows[0][viewpoints.column("region")];
-    const std::string visibility = read_file(bundle() / "visibility.mtx");
-    int unseen = 1;
-    while (visibility.find("\n" + region + " " + std::to_string(unseen) + "\n") !=
-           std::string::npos) {
-      ++unseen;
-    }
-    damage("viewpoints.mtx", "\n1 \\d+\n", "\n1 " + std::to_string(unseen) + "\n");
-    expect_contradiction("each viewpoint sees no more than its region");
-  });
-  on_a_copy("a wrong share of viewpoints", [&] {
-    damage("viewpoints.csv", ",100,", ",99,");
-    expect_contradiction("viewpoints.csv states");
+  on_a_copy(
+      "a viewpoint outside its region; one that sees more than its region; a wrong share; a wrong "
+      "proof; a missing cell; a bound that is too high",
+      [&] {
+        {
+          // As little as one unit in the last place beside the region's plane.
+          const Table viewpoints(bundle() / "viewpoints.csv");
+          const std::string z = viewpoints.rows[0][viewpoints.column("z")];
+          std::ostringstream beside;
+          beside.precision(17);
+          beside << std::nextafter(std::stod(z), 10.0);
+          damage("viewpoints.csv", "," + z + ",", "," + beside.str() + ",");
+        }
+        {
+          // The viewpoint's first element becomes one that its region does not see.
+          const Table viewpoints(bundle() / "viewpoints.csv");
+          const std::string region = viewpoints.rows[0][viewpoints.column("region")];
+          const std::string visibility = read_file(bundle() / "visibility.mtx");
+          int unseen = 1;
+          while (visibility.find("\n" + region + " " + std::to_string(unseen) + "\n") !=
+                 std::string::npos) {
+            ++unseen;
+          }
+          damage("viewpoints.mtx", "\n1 \\d+\n", "\n1 " + std::to_string(unseen) + "\n");
+        }
+        damage("viewpoints.csv", ",100,", ",99,");
+        damage("run.json", "\"viewpoints_lower_bound\": \\d+", "\"viewpoints_lower_bound\": 99");
+        damage("bound.proof", "\nbound (\\d+)", "\nbound 99");
+        damage("bound.csv", "\n2,1,", "\n2,2,");
+        expect_contradictions({"each viewpoint lies in its region",
+                               "each viewpoint sees no more than its region",
+                               "the lower bound is at most", "viewpoints.csv states",
+                               "bound.proof proves", "the cells of the bound tile the regions"});
+      });
+  on_a_copy("a region that sees more than it says; a cell that sees more than it says", [&] {
+    hide_the_most_seen("visibility.mtx");
+    hide_the_most_seen("bound.mtx");
+    expect_contradictions({"random positions see no more than visibility.mtx says of their regions",
+                           "random positions see no more than bound.mtx says of their cells"});
   });
   on_a_copy("a missing viewpoint", [&] {
     damage("run.json", "\"viewpoints\": \\d+,(\\s*\"viewpoints_by)", "\"viewpoints\": 1,$1");
@@ -215,18 +254,77 @@ TEST_F(VerifyViewpoints, FindsEachDamage) {
         joined("each viewpoint sees no elements but those that viewpoints.mtx says: viewpoint ",
                viewpoint, " sees element ", element));
   });
-  on_a_copy("a wrong proof", [&] {
-    damage("bound.proof", "\nbound (\\d+)", "\nbound 99");
-    expect_contradiction("bound.proof proves");
-  });
-  on_a_copy("a missing cell", [&] {
-    damage("bound.csv", "\n2,1,", "\n2,2,");
-    expect_contradiction("the cells of the bound tile the regions");
-  });
-  on_a_copy("a bound that is too high", [&] {
-    damage("run.json", "\"viewpoints_lower_bound\": \\d+", "\"viewpoints_lower_bound\": 99");
-    expect_contradiction("the lower bound is at most");
-  });
+}
+
+/// Full coverage of a comb of three teeth, its bound from witnesses.
+class VerifyFullCoverage : public Verify {
+ protected:
+  void SetUp() override {
+    const auto plan =
+        folder_.write("plan.txt",
+                      "0 0\n12 0\n12 1\n10 1\n10 9\n9 9\n9 1\n6 1\n6 9\n5 9\n5 1\n2 1\n"
+                      "2 9\n1 9\n1 1\n0 1\n");
+    const std::string scene = (folder_.path() / "scene.obj").string();
+    ASSERT_EQ(viewcover_run({"generate", "gallery", plan.string(), "--height", "2", "-o", scene})
+                  .exit_code,
+              0);
+    const Outcome outcome =
+        viewcover_run({"solve", scene, "--region", (folder_.path() / "scene.region.json").string(),
+                       "-o", bundle().string(), "--quiet", "--coverage", "full", "--regions", "4",
+                       "--element-area", "4", "--close-gap", "0"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    const Json results = run_json(bundle()).at("results");
+    ASSERT_EQ(results.at("viewpoints"), 3);
+    ASSERT_EQ(results.at("viewpoints_lower_bound"), 3);
+    ASSERT_EQ(results.at("bound_columns"), "witnesses");
+    ASSERT_EQ(results.at("viewpoints_lower_bound").get<int>() -
+                  results.at("regions_lower_bound").get<int>(),
+              1);
+  }
+};
+
+TEST_F(VerifyFullCoverage, HoldsUntilAWitnessIsMoved) {
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("holds: each witness is seen from a viewpoint"));
+  EXPECT_THAT(outcome.out, HasSubstr("holds: cells of the bound do not see"));
+  damage("witnesses.csv", "\n1,(\\d+),([^,]+),", "\n1,$1,63,");
+  expect_contradiction("each witness lies in its element");
+}
+
+TEST_F(VerifyFullCoverage, FindsAWitnessThatIsNotSeen) {
+  // One viewpoint goes where another is.
+  const Table viewpoints(bundle() / "viewpoints.csv");
+  std::string text = read_file(bundle() / "viewpoints.csv");
+  const std::size_t second = text.find("\n2,") + 3, third = text.find("\n3,") + 3;
+  const std::string place = text.substr(second, text.find('\n', second) - second);
+  text.replace(third, text.find('\n', third) - third, place);
+  std::ofstream(bundle() / "viewpoints.csv") << text;
+  expect_contradiction("each witness is seen from a viewpoint");
+}
+
+TEST_F(VerifyFullCoverage, FindsACellThatSeesMore) {
+  // A cell that sees many witnesses claims to see only the first of them.
+  std::istringstream in(read_file(bundle() / "bound.mtx"));
+  std::string kept, line;
+  std::size_t dropped = 0, of_first = 0;
+  while (std::getline(in, line)) {
+    const bool is_of_first = line.starts_with("1 ");
+    if (is_of_first && of_first++ > 0) {
+      ++dropped;
+      continue;
+    }
+    kept += line + '\n';
+  }
+  ASSERT_GT(dropped, 0u);
+  const std::regex sizes("\n(\\d+) (\\d+) (\\d+)\n");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(kept, found, sizes));
+  kept = std::regex_replace(kept, sizes,
+                            "\n$1 $2 " + std::to_string(std::stoul(found[3]) - dropped) + "\n",
+                            std::regex_constants::format_first_only);
+  std::ofstream(bundle() / "bound.mtx") << kept;
+  expect_contradiction("cells of the bound do not see what bound.mtx says they do not");
 }
 
 }  // namespace
