@@ -8,6 +8,7 @@
 #include "app/option_values.h"
 #include "scene/error.h"
 #include "show/figure.h"
+#include "show/page.h"
 
 namespace viewcover {
 namespace {
@@ -18,6 +19,7 @@ struct ShowText {
   CommonOptions common;
   std::string folder, scene, against;
   std::string view, size = "1400x1050", up, colour_by = "covered_by", camera;
+  bool no_page = false;
 };
 
 /// The two halves of `text` round `separator`.
@@ -62,6 +64,28 @@ FigureOptions figure_options(const ShowText& text) {
   return options;
 }
 
+/// The folder's own name.
+std::string name_of(const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+std::string write_page(const RunData& run, const ShownElements& shown,
+                       const std::optional<RunData>& other, const FigureOptions& options,
+                       const ShowText& text) {
+  const int up_axis = options.up_axis.value_or(up_axis_of(run));
+  const PageContent content{run,
+                            shown,
+                            other ? &*other : nullptr,
+                            name_of(text.folder),
+                            other ? name_of(text.against) : std::string(),
+                            up_axis,
+                            options.view ? *options.view : default_view(run, shown, up_axis)};
+  const auto file = std::filesystem::path(text.folder) / "report.html";
+  write_page(content, file);
+  return file.string();
+}
+
 int show(const ShowText& text) {
   const FigureOptions options = figure_options(text);
   if (text.folder.empty()) throw InputError("DIR", "is missing", "give the folder of a run");
@@ -77,6 +101,7 @@ int show(const ShowText& text) {
                                   : std::string("figure.png"));
   draw_figure(run, shown, options, figure);
   Json line = {{"figure", figure.string()}};
+  if (!text.no_page) line["page"] = write_page(run, shown, other, options, text);
   print_out(line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   return kDone;
 }
@@ -105,6 +130,7 @@ void add_show_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--camera", text->camera, "draw what this viewpoint sees, all round")
       ->type_name("N");
+  command->add_flag("--no-page", text->no_page, "draw the picture only");
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = show(*text); });
 }

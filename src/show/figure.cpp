@@ -43,37 +43,9 @@ std::vector<Point> corners_of(const Scene& scene) {
   return corners;
 }
 
-/// The direction from which most elements are in sight, of eight from above.
-ViewDirection best_view(const ShownElements& shown, const std::vector<ConvexPolygon>& polygons,
-                        std::span<const CutPlane> planes, std::span<const Point> corners,
-                        const Frame& frame) {
-  constexpr PixelSize kSize{160, 120};
-  constexpr double kStep = 45, kFirst = 235;  // degrees
-  ViewDirection best;
-  std::size_t most = 0;
-  for (int turn = 0; turn < 8; ++turn) {
-    ViewDirection view;
-    view.azimuth = kFirst + kStep * turn;
-    const auto camera = make_outside_camera(corners, frame, view, kSize);
-    const RayScene scene(uncut(shown, polygons, planes, camera->position()));
-    std::set<std::uint32_t> met;
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
-        met.insert(scene.hit(camera->position(), camera->direction(x + 0.5, y + 0.5)).polygon);
-      }
-    }
-    if (met.size() > most) {
-      most = met.size();
-      best = view;
-    }
-  }
-  return best;
-}
-
 /// The outlines of what was cut.
 void draw_cut_outlines(Image& image, const Scene& scene, std::span<const CutPlane> planes,
                        const Camera& camera) {
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!planes[i].cuts(camera.position())) continue;
     const ConvexPolygon& polygon = scene.surfaces[i].polygon;
@@ -131,6 +103,34 @@ int up_axis_of(const RunData& run) {
   return 2;
 }
 
+ViewDirection default_view(const RunData& run, const ShownElements& shown, int up_axis) {
+  constexpr PixelSize kSize{160, 120};
+  constexpr double kStep = 45, kFirst = 235;  // degrees
+  const Frame frame = Frame::with_up(up_axis);
+  const std::vector<ConvexPolygon> polygons = polygons_of(run.bundle.scene, shown);
+  const std::vector<CutPlane> planes = cut_planes(run.bundle.scene, run.regions);
+  const std::vector<Point> corners = corners_of(run.bundle.scene);
+  ViewDirection best;
+  std::size_t most = 0;
+  for (int turn = 0; turn < 8; ++turn) {
+    ViewDirection view;
+    view.azimuth = kFirst + kStep * turn;
+    const auto camera = make_outside_camera(corners, frame, view, kSize);
+    const RayScene scene(uncut(shown, polygons, planes, camera->position()));
+    std::set<std::uint32_t> met;
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        met.insert(scene.hit(camera->position(), camera->direction(x + 0.5, y + 0.5)).polygon);
+      }
+    }
+    if (met.size() > most) {
+      most = met.size();
+      best = view;
+    }
+  }
+  return best;
+}
+
 void draw_figure(const RunData& run, const ShownElements& shown, const FigureOptions& options,
                  const std::filesystem::path& file) {
   if (options.viewpoint && *options.viewpoint >= run.viewpoints.size()) {
@@ -139,7 +139,8 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
                      "give the number of one in viewpoints.csv");
   }
   const Scene& scene = run.bundle.scene;
-  const Frame frame = Frame::with_up(options.up_axis.value_or(up_axis_of(run)));
+  const int up_axis = options.up_axis.value_or(up_axis_of(run));
+  const Frame frame = Frame::with_up(up_axis);
   const Shading shading = shade(run, shown, options.colour_by);
   Legend legend(shading, options.size.width);
   legend.set_caption(caption(run, shown));
@@ -157,8 +158,7 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
     planes = cut_planes(scene, run.regions);
     const std::vector<Point> corners = corners_of(scene);
     camera = make_outside_camera(
-        corners, frame,
-        options.view ? *options.view : best_view(shown, polygons, planes, corners, frame), area);
+        corners, frame, options.view ? *options.view : default_view(run, shown, up_axis), area);
     polygons = uncut(shown, std::move(polygons), planes, camera->position());
     regions = run.regions;
     legend.add_regions(!run.chosen().empty(), !run.viewpoints.empty());

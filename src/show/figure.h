@@ -19,6 +19,9 @@ struct FigureOptions {
 /// The axis across which the viewing region is flattest, z if there is no single one.
 int up_axis_of(const RunData& run);
 
+/// The direction from which most elements are in sight, of eight from above.
+ViewDirection default_view(const RunData& run, const ShownElements& shown, int up_axis);
+
 /// Draws a run in the manner of the paper's figures 6 to 11: elements coloured (`shade`), the
 /// viewing region dark grey, chosen regions medium grey, viewpoints as light dots, outlines of the
 /// surfaces; walls and ceilings between the camera and the region are cut (show/cutaway.h) and
