@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/option_values.h"
+#include "app/show_query.h"
 #include "scene/error.h"
 #include "show/figure.h"
 #include "show/page.h"
@@ -19,7 +20,8 @@ struct ShowText {
   CommonOptions common;
   std::string folder, scene, against;
   std::string view, size = "1400x1050", up, colour_by = "covered_by", camera;
-  bool no_page = false;
+  std::string query;
+  bool no_page = false, skeleton = false, one_sided = false;
 };
 
 /// The two halves of `text` round `separator`.
@@ -86,8 +88,16 @@ std::string write_page(const RunData& run, const ShownElements& shown,
   return file.string();
 }
 
+int show_query(const ShowText& text, const FigureOptions& options) {
+  std::filesystem::path folder = text.folder;
+  if (folder.empty()) folder = std::filesystem::path(text.query).parent_path();
+  return show_queries(
+      {text.query, folder, text.skeleton, text.one_sided, options.view, options.size});
+}
+
 int show(const ShowText& text) {
   const FigureOptions options = figure_options(text);
+  if (!text.query.empty()) return show_query(text, options);
   if (text.folder.empty()) throw InputError("DIR", "is missing", "give the folder of a run");
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(text.common)));
@@ -130,6 +140,13 @@ void add_show_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--camera", text->camera, "draw what this viewpoint sees, all round")
       ->type_name("N");
+  command
+      ->add_option("--query", text->query,
+                   "draw queries of `sees` instead, into DIR or beside their file")
+      ->type_name("FILE");
+  command->add_flag("--skeleton", text->skeleton, "with --query: extremal stabbing lines, too");
+  command->add_flag("--one-sided", text->one_sided,
+                    "with --query: only the front of an element counts as visible");
   command->add_flag("--no-page", text->no_page, "draw the picture only");
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = show(*text); });

@@ -79,7 +79,7 @@ Json palette() {
   for (std::size_t i = 0; i < kCategories; ++i) categories.push_back(rgb(category(i)));
   return {{"never", rgb(kNeverSeen)},     {"quiet", rgb(kUnchanged)},
           {"hardly", rgb(kHardlySeen)},   {"region", rgb(kRegionColour)},
-          {"chosen", rgb(kChosenColour)}, {"lit", rgb({255, 214, 64})},
+          {"chosen", rgb(kChosenColour)}, {"lit", rgb({252, 222, 110})},
           {"dim", rgb({70, 76, 88})},     {"ramp", stops(ramp)},
           {"missed", stops(missed_ramp)}, {"excess", stops(excess_ramp)},
           {"categories", categories}};

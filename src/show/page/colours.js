@@ -64,8 +64,8 @@ function bySight(bits, row, what) {
   const glow = what === 'region' && run.otherSeen;
   const entries = [{colour: palette.lit, text: `seen by the ${what}`}, {colour: palette.dim, text: 'not seen'}];
   if (glow) {
-    entries.push({colour: palette.missed[1], text: `missed by ${data.other_name}`},
-                 {colour: palette.excess[1], text: `seen by ${data.other_name} only`});
+    entries.push({colour: palette.missed[13], text: `missed by ${data.other_name}`},
+                 {colour: palette.excess[13], text: `seen by ${data.other_name} only`});
   }
   return {
     title: `${what} ${row + 1}`, ramp: 0, entries,
@@ -73,8 +73,8 @@ function bySight(bits, row, what) {
       const seen = bits.test(row, run.pieceElement[p]);
       if (glow) {
         const other = run.otherSeen.test(row, run.pieceOther[p]);
-        if (seen && !other) return palette.missed[1];
-        if (!seen && other) return palette.excess[1];
+        if (seen && !other) return palette.missed[13];
+        if (!seen && other) return palette.excess[13];
       }
       return seen ? palette.lit : palette.dim;
     },
