@@ -350,7 +350,7 @@ function connect() {
     pick(view.pick(event.clientX - box.left, event.clientY - box.top, event.shiftKey));
   });
   $('show-regions').addEventListener('change', () => { view.regions.visible = $('show-regions').checked; view.draw(); });
-  $('show-lines').addEventListener('change', () => { view.lines.visible = $('show-lines').checked; view.draw(); });
+  $('show-lines').addEventListener('change', () => { view.showLines = $('show-lines').checked; view.setCoarse(false); });
   $('home').addEventListener('click', () => view.home());
 }
 

@@ -56,16 +56,17 @@ function fanGeometry(mesh) {
   return {geometry, owner};
 }
 
-/** Edges of the polygons as pairs of corners. */
+/** Edges of the polygons as pairs of corners, each once. */
 function edgeGeometry(mesh, which) {
-  const places = [];
+  const places = [], met = new Set();
   for (const p of which) {
     const n = size(mesh, p);
     for (let i = 0; i < n; ++i) {
-      for (const k of [i, (i + 1) % n]) {
-        const at = 3 * (mesh.first[p] + k);
-        places.push(mesh.corners[at], mesh.corners[at + 1], mesh.corners[at + 2]);
-      }
+      const [a, b] = [i, (i + 1) % n].map((k) => mesh.corners.subarray(3 * (mesh.first[p] + k), 3 * (mesh.first[p] + k) + 3));
+      const names = [a.join(), b.join()].sort().join(';');
+      if (met.has(names)) continue;
+      met.add(names);
+      places.push(...a, ...b);
     }
   }
   const geometry = new THREE.BufferGeometry();
@@ -88,8 +89,12 @@ class SceneView {
     this.addCamera();
     this.caster = new THREE.Raycaster();
     this.wanted = false;
+    this.coarse = false;
+    this.showLines = true;
+    this.pace = this.last = 0;
     window.addEventListener('resize', () => this.fit());
     this.fit();
+    this.home();
   }
 
   addPieces() {
@@ -156,8 +161,7 @@ class SceneView {
     this.controls = new THREE.OrbitControls(this.camera, this.canvas);
     this.controls.enableKeys = false;
     this.controls.screenSpacePanning = true;
-    this.controls.addEventListener('change', () => this.draw());
-    this.home();
+    this.controls.addEventListener('change', () => this.moved());
   }
 
   home() {
@@ -183,13 +187,13 @@ class SceneView {
     offset.applyAxisAngle(right, step).applyAxisAngle(this.up, azimuth);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.draw();
+    this.moved();
   }
 
   zoom(factor) {
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
-    this.draw();
+    this.moved();
   }
 
   fit() {
@@ -198,6 +202,25 @@ class SceneView {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Draws as the camera moves: coarsely where the machine cannot keep up, finely at rest. */
+  moved() {
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.setCoarse(false), 300);  // milliseconds
+    const now = performance.now(), pause = 1000, slow = 60;  // milliseconds a frame
+    if (now - this.last < pause) this.pace = (this.pace + now - this.last) / 2;
+    this.last = now;
+    if (this.pace > slow && !this.coarse) this.setCoarse(true);
+    this.draw();
+  }
+  setCoarse(coarse) {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2), many = 20000;  // corners of lines
+    if (coarse !== this.coarse) this.renderer.setPixelRatio(coarse ? ratio / 2 : ratio);
+    this.coarse = coarse;
+    if (!coarse) this.pace = 0;
+    this.lines.visible = this.showLines && !(coarse && this.lines.geometry.attributes.position.count > many);
     this.draw();
   }
 
