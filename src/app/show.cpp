@@ -75,14 +75,13 @@ std::string name_of(const std::filesystem::path& folder) {
 std::string write_page(const RunData& run, const ShownElements& shown,
                        const std::optional<RunData>& other, const FigureOptions& options,
                        const ShowText& text) {
-  const int up_axis = options.up_axis.value_or(up_axis_of(run));
   const PageContent content{run,
                             shown,
                             other ? &*other : nullptr,
                             name_of(text.folder),
                             other ? name_of(text.against) : std::string(),
-                            up_axis,
-                            options.view ? *options.view : default_view(run, shown, up_axis)};
+                            *options.up_axis,
+                            options.view.value_or(ViewDirection())};
   const auto file = std::filesystem::path(text.folder) / "report.html";
   write_page(content, file);
   return file.string();
@@ -96,7 +95,7 @@ int show_query(const ShowText& text, const FigureOptions& options) {
 }
 
 int show(const ShowText& text) {
-  const FigureOptions options = figure_options(text);
+  FigureOptions options = figure_options(text);
   if (!text.query.empty()) return show_query(text, options);
   if (text.folder.empty()) throw InputError("DIR", "is missing", "give the folder of a run");
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
@@ -106,6 +105,9 @@ int show(const ShowText& text) {
   std::optional<RunData> other;
   if (!text.against.empty()) other = load_run_data(text.against, text.scene);
   const ShownElements shown = other ? shown_elements(run, *other) : shown_elements(run);
+  options.up_axis = options.up_axis.value_or(up_axis_of(run));
+  const bool from_outside = !options.viewpoint || !text.no_page;
+  if (from_outside && !options.view) options.view = default_view(run, shown, *options.up_axis);
   const auto figure =
       folder / (options.viewpoint ? fmt::format("camera_{}.png", *options.viewpoint + 1)
                                   : std::string("figure.png"));

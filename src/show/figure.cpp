@@ -72,7 +72,7 @@ std::vector<bool> chosen_flags(const RunData& run) {
   return flags;
 }
 
-std::string caption(const RunData& run, const ShownElements& shown) {
+std::string caption(const RunData& run) {
   const Json scene = run.record.value("scene", Json::object());
   std::string text = scene.value("name", std::string("scene")) + ": " +
                      std::to_string(run.bundle.scene.surfaces.size()) + " polygons, " +
@@ -80,7 +80,6 @@ std::string caption(const RunData& run, const ShownElements& shown) {
                      std::to_string(run.chosen().size()) + " of " +
                      std::to_string(run.regions.size()) + " regions";
   if (!run.viewpoints.empty()) text += ", " + std::to_string(run.viewpoints.size()) + " viewpoints";
-  if (!shown.differences.empty()) text += "; compared with another run";
   return text;
 }
 
@@ -143,7 +142,7 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
   const Frame frame = Frame::with_up(up_axis);
   const Shading shading = shade(run, shown, options.colour_by);
   Legend legend(shading, options.size.width);
-  legend.set_caption(caption(run, shown));
+  legend.set_caption(caption(run));
   const PixelSize area{options.size.width, options.size.height - legend.height()};
 
   std::vector<ConvexPolygon> polygons = polygons_of(scene, shown);
@@ -153,7 +152,7 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
   if (options.viewpoint) {
     camera = make_panorama_camera(run.viewpoints[*options.viewpoint].position, frame, area);
     legend.set_caption("what viewpoint " + std::to_string(*options.viewpoint + 1) +
-                       " sees: " + caption(run, shown));
+                       " sees: " + caption(run));
   } else {
     planes = cut_planes(scene, run.regions);
     const std::vector<Point> corners = corners_of(scene);
