@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "scene/error.h"
 #include "show/cutaway.h"
@@ -43,17 +45,48 @@ std::vector<Point> corners_of(const Scene& scene) {
   return corners;
 }
 
+/// A number for each surface, the same for surfaces of one group in one plane (as far as six digits
+/// tell): no line is drawn between the triangles of a wall.
+std::vector<std::uint32_t> outline_numbers(const Scene& scene) {
+  constexpr double kSteps = 1e6;
+  const double diagonal = scene.bounds.diagonal().norm();
+  std::map<std::array<long, 5>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> of_surface;
+  for (const Surface& surface : scene.surfaces) {
+    const Point normal = area_vector(surface.polygon).normalized();
+    const double offset = normal.dot(corner_mean(surface.polygon)) / diagonal;
+    const auto number = static_cast<std::uint32_t>(numbers.size());
+    of_surface.push_back(
+        numbers
+            .try_emplace({surface.group.value, std::lround(normal.x() * kSteps),
+                          std::lround(normal.y() * kSteps), std::lround(normal.z() * kSteps),
+                          std::lround(offset * kSteps)},
+                         number)
+            .first->second);
+  }
+  return of_surface;
+}
+
 /// The outlines of what was cut.
 void draw_cut_outlines(Image& image, const Scene& scene, std::span<const CutPlane> planes,
-                       const Camera& camera) {
+                       std::span<const std::uint32_t> numbers, const Camera& camera) {
+  using Edge = std::tuple<std::uint32_t, std::array<double, 3>, std::array<double, 3>>;
+  const auto coordinates = [](const Point& p) { return std::array{p.x(), p.y(), p.z()}; };
+  std::map<Edge, int> edges;  // how often within a plane
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!planes[i].cuts(camera.position())) continue;
     const ConvexPolygon& polygon = scene.surfaces[i].polygon;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const auto a = camera.project(polygon[k]),
-                 b = camera.project(polygon[(k + 1) % polygon.size()]);
-      if (a && b) image.draw_line(*a, *b, {70, 74, 84}, 0.35, image.size().width / 1500.0);
+      auto a = coordinates(polygon[k]), b = coordinates(polygon[(k + 1) % polygon.size()]);
+      if (b < a) std::swap(a, b);
+      ++edges[{numbers[i], a, b}];
     }
+  }
+  const double width = image.size().width / 1500.0;
+  for (const auto& [edge, count] : edges) {
+    const auto& [number, from, to] = edge;
+    const auto a = camera.project(Point(from.data())), b = camera.project(Point(to.data()));
+    if (count == 1 && a && b) image.draw_line(*a, *b, {70, 74, 84}, 0.35, width);
   }
 }
 
@@ -100,6 +133,19 @@ int up_axis_of(const RunData& run) {
     if (across[static_cast<std::size_t>(axis)] > kClear * others) return axis;
   }
   return 2;
+}
+
+void remove_pictures(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* file : {"figure.png", "report.html"}) {
+    std::filesystem::remove(folder / file, ignored);
+  }
+  std::vector<std::filesystem::path> cameras;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("camera_") && name.ends_with(".png")) cameras.push_back(entry.path());
+  }
+  for (const auto& file : cameras) std::filesystem::remove(file, ignored);
 }
 
 ViewDirection default_view(const RunData& run, const ShownElements& shown, int up_axis) {
@@ -163,8 +209,11 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
     legend.add_regions(!run.chosen().empty(), !run.viewpoints.empty());
   }
 
+  const std::vector<std::uint32_t> numbers = outline_numbers(scene);
   std::vector<std::uint32_t> outlines;
-  for (const ElementAddress element : shown.addresses) outlines.push_back(element.owner().value);
+  for (const ElementAddress element : shown.addresses) {
+    outlines.push_back(numbers[element.owner().value]);
+  }
   // From above, before the camera, and from the east of it, so that no two walls look the same.
   const Point light = (1.6 * frame.up + 0.9 * frame.north + 0.5 * frame.east).normalized();
   const RasterScene raster(polygons, shading.colours, std::move(outlines), regions,
@@ -173,7 +222,7 @@ void draw_figure(const RunData& run, const ShownElements& shown, const FigureOpt
   render(raster, *camera, area, kSamples, {255, 255, 255},
          [&](int x, int y, Colour colour) { image.set_pixel(x, y, colour); });
   if (!options.viewpoint) {
-    draw_cut_outlines(image, scene, planes, *camera);
+    draw_cut_outlines(image, scene, planes, numbers, *camera);
     draw_viewpoints(image, run, *camera);
   }
   legend.draw(image, area.height);

@@ -32,4 +32,7 @@ ViewDirection default_view(const RunData& run, const ShownElements& shown, int u
 void draw_figure(const RunData& run, const ShownElements& shown, const FigureOptions& options,
                  const std::filesystem::path& file);
 
+/// Removes the pictures and the page of an earlier run: figure.png, report.html, camera_N.png.
+void remove_pictures(const std::filesystem::path& folder);
+
 }  // namespace viewcover

@@ -57,6 +57,11 @@ TEST_F(Show, WritesAPictureAndAPage) {
   const auto one = comparable_files(room_.bundle());
   ASSERT_EQ(show({"--threads", "3"}).exit_code, 0);
   EXPECT_EQ(one, comparable_files(room_.bundle()));
+
+  // Another run takes the pictures of this one away.
+  ASSERT_EQ(room_.solve("bundle", {"--regions", "4"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file("figure.png")));
+  EXPECT_FALSE(std::filesystem::exists(file("report.html")));
 }
 
 TEST_F(Show, ColoursByEachMeaning) {
