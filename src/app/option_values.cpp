@@ -47,6 +47,14 @@ int integer_option(std::string_view option, std::string_view text, int least, in
   return integer_in(option, text, least, most);
 }
 
+double number_option(std::string_view option, std::string_view text, double least, double most) {
+  double number = 0;
+  if (parse(text, number) && number >= least && number <= most) return number;
+  throw InputError(option, "'" + std::string(text) + "' is no number in range",
+                   "give " + std::to_string(static_cast<int>(least)) + " to " +
+                       std::to_string(static_cast<int>(most)));
+}
+
 double positive_option(std::string_view option, std::string_view text) {
   return finite_number(option, text, false);
 }

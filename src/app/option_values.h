@@ -14,6 +14,8 @@ namespace viewcover {
 std::uint64_t count_option(std::string_view option, std::string_view text, std::uint64_t least,
                            std::uint64_t most);
 int integer_option(std::string_view option, std::string_view text, int least, int most);
+/// A number in [least, most].
+double number_option(std::string_view option, std::string_view text, double least, double most);
 /// A finite number > 0.
 double positive_option(std::string_view option, std::string_view text);
 /// A finite number >= 0.

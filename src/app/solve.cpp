@@ -21,6 +21,7 @@
 #include "report/audit_files.h"
 #include "report/bundle.h"
 #include "scene/error.h"
+#include "show/figure.h"
 #include "viewpoints/viewpoint_search.h"
 
 namespace viewcover {
@@ -131,6 +132,7 @@ std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const R
 /// What the images show of every element, into the bundle; nothing without viewpoints.
 void audit_viewpoints(const Solution& solution, const Bundle& bundle, const SolveOptions& options) {
   remove_audit(bundle.folder());
+  remove_pictures(bundle.folder());
   if (solution.viewpoints == nullptr) return;
   std::vector<Point> positions;
   for (const Viewpoint& viewpoint : solution.viewpoints->viewpoints) {

@@ -23,8 +23,11 @@ bool read_record(std::istream& stream, std::string& record) {
 std::vector<std::string> fields(const std::string& record) {
   std::vector<std::string> result(1);
   bool quoted = false;
-  for (const char c : record) {
-    if (c == '"') {
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const char c = record[i];
+    if (c == '"' && quoted && i + 1 < record.size() && record[i + 1] == '"') {
+      result.back() += record[i++];
+    } else if (c == '"') {
       quoted = !quoted;
     } else if (c == ',' && !quoted) {
       result.emplace_back();
