@@ -286,8 +286,7 @@ function fillRun() {
 
 function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
-  if (!view) return;
-  view.scene.background = new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue('--stage').trim());
+  if (view) view.scene.background = new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue('--stage').trim());
   update();
 }
 
@@ -375,7 +374,6 @@ function start() {
   fillRun();
   if (!run.viewpoints.length) $('go-kind').querySelector('[value=viewpoint]').remove();
   setTheme(window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-  update();
   if (view) view.drawNow();
 }
 

@@ -129,9 +129,7 @@ class SceneView {
   addRegions() {
     const {geometry, owner} = fanGeometry(run.regions);
     this.regionOfTriangle = owner;
-    this.regionTints = new Uint8Array(3 * run.regions.first[run.regions.count]);
-    geometry.setAttribute('color', new THREE.BufferAttribute(this.regionTints, 3, true));
-    const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
+    const material = new THREE.MeshBasicMaterial({color: new THREE.Color(css(palette.region)), side: THREE.DoubleSide,
       transparent: true, opacity: 0.5, depthWrite: false});
     this.regions = new THREE.Group();
     this.regionMesh = new THREE.Mesh(geometry, material);
@@ -252,9 +250,6 @@ class SceneView {
 
   /** `strong`: numbers of regions with their colours; the others are part of the background. */
   colourRegions(strong) {
-    const [red, green, blue] = palette.region;
-    for (let at = 0; at < this.regionTints.length; at += 3) this.regionTints.set([red, green, blue], at);
-    this.regionMesh.geometry.attributes.color.needsUpdate = true;
     this.strongRegions.children.slice().forEach((child) => {
       child.geometry.dispose();
       this.strongRegions.remove(child);
