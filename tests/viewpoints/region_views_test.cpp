@@ -161,7 +161,7 @@ TEST(RegionViews, CellsSeeWhatTheirPositionsSee) {
     }
     for (std::size_t column = region; column < solved->views.column_count(); column += 5) {
       if (!solved->matrix.bits.test(region, column)) continue;
-      const bool cell_sees = solved->views.cell_sees(region, cell, polygon, column);
+      const bool cell_sees = solved->views.cell_sees({cell, region, polygon}, column);
       EXPECT_TRUE(cell_sees || !has(from_cell, column)) << "region " << region << " " << column;
       ++(cell_sees ? seen : unseen);
     }
