@@ -65,7 +65,7 @@ class FullSearch {
         options_(options),
         limits_(limits_of(options)),
         witnesses_(views),
-        pool_(witnesses_),
+        pool_(views, witnesses_),
         special_(views),
         parts_(parts),
         lower_bound_(parts.lower_bound) {
@@ -79,6 +79,7 @@ class FullSearch {
     for (const Viewpoint& viewpoint : parts.tried) pool_.add(viewpoint);
     for (const Viewpoint& viewpoint : special_.corners()) pool_.add(viewpoint);
     witnesses_.add(places_in_elements(parts.viewpoints));
+    pool_.set_elements(elements_without_witness());
   }
 
   ViewpointSet run();
@@ -102,6 +103,7 @@ class FullSearch {
     });
   }
   std::vector<ElementTarget> places_in_elements(std::span<const Viewpoint> viewpoints) const;
+  std::vector<std::size_t> elements_without_witness() const;
   std::vector<WeightedPlace> unseen_places(std::span<const Viewpoint> viewpoints, double smallest);
   std::vector<Viewpoint> cover_witnesses();
   enum class Missed { kTooLittle, kMoreWitnesses, kNoWitness };
@@ -131,13 +133,17 @@ class FullSearch {
   std::vector<ElementAddress> elements_;  // of these
   double area_ = 0;                       // of these
   std::vector<std::uint32_t> asked_;      // witnesses that the cover is asked for, ascending
-  PoolCover cover_;                       // its columns are these
+  PoolCover cover_;                       // its columns are these, then the pool's elements
   std::vector<Viewpoint> best_;           // sees all witnesses, and misses no more than asked for
   std::size_t lower_bound_;
   std::optional<BoundRefinement> bound_;
-  double further_gain_ = 0;  // of best_, by places
-  Viewpoint further_;        // that adds most to best_
-  std::size_t further_positions_ = 0;
+  /// What adds most to a set, of so many positions; by places.
+  struct Further {
+    ValuedViewpoint best;
+    std::size_t positions = 0;
+  };
+  Further further_;          // than the set looked at last
+  Further further_to_best_;  // than best_
   std::uint64_t jobs_ = 0;
   std::uint64_t looked_ = 0;
 };
@@ -161,6 +167,16 @@ std::vector<ElementTarget> FullSearch::places_in_elements(
     }
   }
   return places;
+}
+
+/// Of which too little is seen for exact positions: they are covered as elements.
+std::vector<std::size_t> FullSearch::elements_without_witness() const {
+  std::vector<bool> has_witness(views_.column_count(), false);
+  for (std::size_t w = 0; w < witnesses_.size(); ++w) has_witness[witnesses_[w].column] = true;
+  std::vector<std::size_t> columns = columns_;
+  std::erase_if(columns, [&](std::size_t column) { return has_witness[column]; });
+  for (const std::size_t column : parts_.missing) std::erase(columns, column);
+  return columns;
 }
 
 /// Places in what the viewpoints do not image, weighted by area: in each piece, cut up while larger
@@ -213,10 +229,14 @@ std::vector<Viewpoint> FullSearch::cover_witnesses() {
   SearchLimits unlimited(CoverOptions{});
   std::vector<Viewpoint> chosen;
   while (true) {
-    BitRows asked(rows.rows(), asked_.size());
+    const std::span<const std::size_t> elements = pool_.elements();
+    BitRows asked(rows.rows(), asked_.size() + elements.size());
     for (std::size_t i = 0; i < rows.rows(); ++i) {
       for (std::size_t k = 0; k < asked_.size(); ++k) {
         if (rows.test(i, asked_[k])) asked.set(i, k);
+      }
+      for (std::size_t k = 0; k < elements.size(); ++k) {
+        if (pool_.sees_element(i, elements[k])) asked.set(i, asked_.size() + k);
       }
     }
     cover_ = cover_pool(asked, kEffort, options_.seed, limits_.expired() ? unlimited : limits_);
@@ -381,8 +401,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
   const double enough = options_.missed_share * area_;
   std::vector<WeightedPlace> places = unseen_places(viewpoints, kSmallestPiece * enough);
   const std::vector<ValuedViewpoint> found = best_positions(places);
-  further_positions_ = found.size();
-  further_gain_ = 0;
+  further_ = {{}, found.size()};
   std::vector<ElementTarget> fresh;
   for (std::size_t added = 0; added < kMostAdditions; ++added) {
     const ValuedViewpoint* best = nullptr;
@@ -395,10 +414,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
         best = &candidate;
       }
     }
-    if (added == 0 && best != nullptr) {
-      further_gain_ = most;
-      further_ = best->viewpoint;
-    }
+    if (added == 0 && best != nullptr) further_.best = {best->viewpoint, most};
     if (best == nullptr || most < enough) break;
     pool_.add(best->viewpoint);
     std::erase_if(places, [&](const WeightedPlace& place) {
@@ -411,7 +427,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
   for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 2 * kMostAdditions); ++i) {
     if (!fresh.empty()) pool_.add(found[i].viewpoint);
   }
-  if (further_gain_ < enough) return Missed::kTooLittle;
+  if (further_.best.value < enough) return Missed::kTooLittle;
   if (!best_.empty()) std::erase_if(fresh, [&](const auto& place) { return !best_sees(place); });
   return witnesses_.add(fresh) > 0 ? Missed::kMoreWitnesses : Missed::kNoWitness;
 }
@@ -420,7 +436,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
 void FullSearch::add_by_prices() {
   std::vector<WeightedPlace> places;
   std::vector<double> of_region(views_.region_count(), 0);
-  for (std::size_t k = 0; k < cover_.prices.size(); ++k) {
+  for (std::size_t k = 0; k < asked_.size(); ++k) {
     const double price = cover_.prices[k];
     if (price <= kPriceTolerance) continue;
     const std::uint32_t w = asked_[k];
@@ -485,9 +501,10 @@ bool FullSearch::raise_bound() {
 /// Rows with few witnesses that cost something go, once there are too many.
 void FullSearch::trim() {
   if (pool_.size() <= kMostCandidates) return;
+  pool_.look();
   const BitRows rows = pool_.rows();
   std::vector<double> by_witness(rows.columns(), 0);
-  for (std::size_t k = 0; k < cover_.prices.size(); ++k) by_witness[asked_[k]] = cover_.prices[k];
+  for (std::size_t k = 0; k < asked_.size(); ++k) by_witness[asked_[k]] = cover_.prices[k];
   const ColumnWeights prices(std::move(by_witness));
   std::vector<std::pair<double, std::size_t>> scores;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
@@ -510,9 +527,6 @@ void FullSearch::report() const {
 
 ViewpointSet FullSearch::run() {
   int idle = 0;
-  Viewpoint further;
-  double gain = 0;
-  std::size_t further_positions = 0;
   while (true) {
     const std::vector<Viewpoint> viewpoints = cover_witnesses();
     if (best_.empty() || viewpoints.size() < best_.size()) {
@@ -521,9 +535,7 @@ ViewpointSet FullSearch::run() {
       if (missed == Missed::kTooLittle || best_.empty()) {
         // Out of time: what was found last is to be seen nevertheless.
         best_ = missed == Missed::kMoreWitnesses ? cover_witnesses() : viewpoints;
-        further = further_;
-        gain = further_gain_;
-        further_positions = further_positions_;
+        further_to_best_ = further_;
         idle = 0;
       }
     }
@@ -537,9 +549,6 @@ ViewpointSet FullSearch::run() {
       break;
     }
   }
-  further_ = further;
-  further_gain_ = gain;
-  further_positions_ = further_positions;
   return result();
 }
 
@@ -582,12 +591,12 @@ ViewpointSet FullSearch::result() {
   set.refined_bound = full.bound_is_of_witnesses
                           ? std::make_shared<const RefinedBound>(bound_->bound())
                           : parts_.refined_bound;
-  if (further_gain_ > 0) {
+  if (further_to_best_.best.value > 0) {
     const double before = unseen.area();
-    unseen.subtract(further_.position);
+    unseen.subtract(further_to_best_.best.viewpoint.position);
     full.further_gain_percent = 100 * (before - unseen.area()) / (area_ - before);
   }
-  full.further_positions = further_positions_;
+  full.further_positions = further_to_best_.positions;
   for (std::size_t w = 0; w < witnesses_.size(); ++w) full.witnesses.push_back(witnesses_[w]);
   set.full = std::make_shared<const FullCoverage>(std::move(full));
   set.paper_viewpoints = parts_.paper_viewpoints;
