@@ -432,10 +432,11 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
   return witnesses_.add(fresh) > 0 ? Missed::kMoreWitnesses : Missed::kNoWitness;
 }
 
-/// Column generation: positions whose witnesses cost more than 1 by the prices of the last cover.
+/// Column generation: positions whose witnesses cost more than 1 by the prices of the last cover,
+/// or may do so together with elements that have no witness, if the region sees these.
 void FullSearch::add_by_prices() {
   std::vector<WeightedPlace> places;
-  std::vector<double> of_region(views_.region_count(), 0);
+  std::vector<double> of_region(views_.region_count(), 0), of_elements(of_region);
   for (std::size_t k = 0; k < asked_.size(); ++k) {
     const double price = cover_.prices[k];
     if (price <= kPriceTolerance) continue;
@@ -445,9 +446,16 @@ void FullSearch::add_by_prices() {
       if (witnesses_.region_sees(i, w)) of_region[i] += price;
     }
   }
+  for (std::size_t k = 0; k < pool_.elements().size(); ++k) {
+    for (std::size_t i = 0; i < of_elements.size(); ++i) {
+      if (views_.region_sees(i, pool_.elements()[k])) {
+        of_elements[i] += cover_.prices[asked_.size() + k];
+      }
+    }
+  }
   std::vector<std::size_t> regions;
   for (std::size_t i = 0; i < of_region.size(); ++i) {
-    if (of_region[i] > 1 + kPriceTolerance) regions.push_back(i);
+    if (of_region[i] + of_elements[i] > 1 + kPriceTolerance) regions.push_back(i);
   }
   const std::uint64_t seed = options_.seed + (++jobs_ << 32);
   RandomNumbers random(mixed(seed));
@@ -463,9 +471,10 @@ void FullSearch::add_by_prices() {
     found[i] = anneal(regions[i], std::nullopt, places, mixed(seed + i + 1));
   });
   looked_ += regions.size() * kEvaluations;
-  for (const auto& of_this : found) {
+  for (const std::vector<ValuedViewpoint>& of_this : found) {
     for (std::size_t k = 0; k < std::min<std::size_t>(of_this.size(), 3); ++k) {
-      if (of_this[k].value > 1 + kPriceTolerance) pool_.add(of_this[k].viewpoint);
+      const auto& [viewpoint, value] = of_this[k];
+      if (value + of_elements[viewpoint.region] > 1 + kPriceTolerance) pool_.add(viewpoint);
     }
   }
 }

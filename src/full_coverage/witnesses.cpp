@@ -12,6 +12,8 @@ namespace {
 
 /// Bits of positions on an element, coarse ones first: decisions about them are cheaper.
 constexpr int kFewestBits = 4, kMostBits = 20, kMoreBits = 4;
+/// Where the middle of a part will not do: so much of the way to a corner.
+constexpr double kAside = 0.3;
 /// Of the extent of scene and region: what is nearer counts as touching.
 constexpr double kContact = 1e-9;
 
@@ -65,18 +67,22 @@ std::optional<ElementTarget> Witnesses::place_in(std::size_t column,
   const ElementAddress element = views_.matrix().elements[column];
   const RegionPositions positions(subdivided(scene[element.owner()].polygon, element), box_,
                                   scene.lattice.exponent);
-  const Point centre = centroid(part);
-  for (int bits = kFewestBits; bits <= std::min(kMostBits, positions.bits()); bits += kMoreBits) {
-    const ElementTarget place{column, positions.nearest(centre, bits)};
-    if (!is_well_inside(place.place, part)) continue;
-    if (is_on_another_surface(place)) continue;
+  const auto usable = [&](const Point& x) {
     const auto& parts = views_.region().parts;
-    if (std::ranges::any_of(parts, [&](const ConvexPolygon& region) {
-          return orientation(region[0], region[1], region[2], place.place) == 0;
-        })) {
-      continue;
+    return is_well_inside(x, part) && !is_on_another_surface({column, x}) &&
+           std::ranges::none_of(parts, [&](const ConvexPolygon& region) {
+             return orientation(region[0], region[1], region[2], x) == 0;
+           });
+  };
+  // Near the middle, but for what is there; else on the way to a corner.
+  const Point middle = centroid(part);
+  std::vector<Point> centres{middle};
+  for (const Point& corner : part) centres.push_back(middle + kAside * (corner - middle));
+  for (const Point& centre : centres) {
+    for (int bits = kFewestBits; bits <= std::min(kMostBits, positions.bits()); bits += kMoreBits) {
+      const Point place = positions.nearest(centre, bits);
+      if (usable(place)) return ElementTarget{column, place};
     }
-    return place;
   }
   return std::nullopt;
 }
