@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "report/audit_files.h"
@@ -14,8 +15,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kDone = 0;
 
 struct AuditText {
   CommonOptions common;

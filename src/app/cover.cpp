@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/progress.h"
@@ -21,8 +22,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kDone = 0, kNotProved = 1, kInterrupted = 130;
 
 struct CoverText {
   CommonOptions common;

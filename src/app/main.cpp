@@ -5,14 +5,12 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "report/build_info.h"
 #include "scene/error.h"
 
 namespace {
-
-constexpr int kBadInput = 2;
-constexpr int kInterrupted = 130;
 
 /// What was wrong with the command line, on one line.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/solve_options.h"
@@ -27,9 +28,6 @@
 namespace viewcover {
 namespace {
 
-constexpr int kDone = 0;
-constexpr int kLimitReached = 1;
-constexpr int kInterrupted = 130;
 /// Enough to close the gap in rooms, and no longer than the search before.
 constexpr std::size_t kGapRounds = 24;
 /// Where nothing is left of it: 0 would be none.

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/option_values.h"
 #include "report/audit_check.h"
 #include "report/bundle_check.h"
@@ -15,8 +16,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kDone = 0, kContradicted = 3;
 
 struct VerifyOptions {
   CommonOptions common;

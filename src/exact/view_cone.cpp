@@ -13,12 +13,9 @@ using Rational = CGAL::Gmpq;
 using Direction = LazyVector<3>;
 using DirectionPool = VectorPool<3>;
 using DirectionCell = Cell<3>;
-Rational fraction(const BigInteger& numerator, const BigInteger& denominator) {
-  return Rational(numerator, denominator);
-}
 
 /// Collects free cells.
-struct AllFreeCells {
+struct FreeDirectionCells {
   std::vector<DirectionCell> cells{};
   bool holds_anything(const DirectionCell& /*cell*/) { return true; }
   bool on_free(const DirectionCell& cell) {
@@ -63,9 +60,9 @@ class ViewCone {
       return view;
     }
     view.fully = !find_blockers_and_edge_on(*root);
-    AllFreeCells rules;
+    FreeDirectionCells rules;
     const auto cells_before = pool_.statistics().cells;
-    Subtraction<3, AllFreeCells>(pool_, blockers_, rules).run(*root);
+    Subtraction<3, FreeDirectionCells>(pool_, blockers_, rules).run(*root);
     view.hidden_by_one = rules.cells.empty() && pool_.statistics().cells == cells_before + 1;
     const Rational whole = projected_area(polygon_of(*root, plane_), plane_);
     for (const DirectionCell& cell : rules.cells) {
@@ -204,8 +201,8 @@ class ViewCone {
       used[at] = true;
       const Components& d = pool_.exact(*cell.ray(at));
       const BigInteger below = dot(plane.normal, d);
-      result.push_back({fraction(plane.offset * d[0], below), fraction(plane.offset * d[1], below),
-                        fraction(plane.offset * d[2], below)});
+      result.push_back({Rational(plane.offset * d[0], below), Rational(plane.offset * d[1], below),
+                        Rational(plane.offset * d[2], below)});
       for (std::size_t next = 0; next < cell.size(); ++next) {
         if (!used[next] && cell.are_adjacent(at, next)) {
           at = next;

@@ -8,10 +8,6 @@
 namespace viewcover {
 namespace {
 
-/// Fixed-point bits of the total weight. With the least unit for each of up to 2^32 columns added,
-/// sums stay below 2^51, far from the limits of 64-bit integers.
-constexpr int kTotalBits = 50;
-
 constexpr BitRows::Word bit(std::uint32_t column) { return BitRows::Word{1} << (column % 64); }
 
 }  // namespace
@@ -32,6 +28,9 @@ CoverState::CoverState(const CoverInstance& instance)
       columns_[column].push_back(static_cast<std::uint32_t>(row));
     });
   }
+  // Fixed-point bits of the total weight. With the least unit for each of up to 2^32 columns added,
+  // sums stay below 2^51, far from the limits of 64-bit integers.
+  constexpr int kTotalBits = 50;
   weights_.reserve(columns_.size());
   for (const double weight : instance.weights()) {
     // A total of 0 leaves one unit a column: the number of columns is the benefit.

@@ -10,6 +10,8 @@
 namespace viewcover {
 namespace {
 
+using Benefit = CoverState::Benefit;
+
 /// A problem is much smaller if it has at most this share of the rows.
 constexpr double kMuchSmaller = 0.8;
 
@@ -19,7 +21,6 @@ CoverageCurve::CoverageCurve(const CoverInstance& instance, SearchLimits& limits
     : instance_(instance), limits_(limits), problem_(instance) {}
 
 CoverStep CoverageCurve::step(std::size_t k) {
-  using Benefit = CoverState::Benefit;
   const Stopwatch watch;
   CoverStep step;
   step.k = k;

@@ -8,11 +8,6 @@ namespace {
 
 /// One exchange in so many takes out a row picked at random.
 constexpr std::size_t kExchangesPerRandomRow = 8;
-/// Exchanges in which a removed row may not come back: the least, and how many more by chance.
-constexpr std::size_t kLeastAbsence = 2, kMoreAbsence = 8;
-/// Exchanges without a better set, for each of the k rows and in all, after which the search goes
-/// back to the best set and the columns' own weights.
-constexpr std::size_t kExchangesPerStart = 1000, kExchangesPerStartAndRow = 20;
 
 }  // namespace
 
@@ -51,11 +46,14 @@ std::vector<ExchangeSearch::Index> ExchangeSearch::in_order_of_loss(std::vector<
 
 std::vector<ExchangeSearch::Index> ExchangeSearch::improved(const std::vector<Index>& rows,
                                                             SearchEffort& effort) {
+  // Exchanges without a better set, for each of the k rows and in all, after which the search goes
+  // back to the best set and the columns' own weights.
+  constexpr std::size_t kExchanges = 1000, kExchangesPerRow = 20;
   assign(rows);
   best_ = rows;
   best_missed_ = missed();
   const Score least_missed = weights_.total - weights_.upper_bound(rows.size());
-  const std::size_t exchanges = kExchangesPerStart + kExchangesPerStartAndRow * rows.size();
+  const std::size_t exchanges = kExchanges + kExchangesPerRow * rows.size();
   std::size_t since_better = 0;
   while (best_missed_ > least_missed && !effort.spent(work())) {
     exchange();
@@ -114,6 +112,8 @@ ExchangeSearch::Index ExchangeSearch::row_to_remove() {
 }
 
 ExchangeSearch::Index ExchangeSearch::row_to_add() {
+  // Exchanges in which a removed row may not come back: the least, and how many more by chance.
+  constexpr std::size_t kLeastAbsence = 2, kMoreAbsence = 8;
   // Every exchange moves two rows.
   const std::uint64_t absence = 2 * (kLeastAbsence + random_.below(kMoreAbsence + 1));
   evaluations_ += cover_.row_count();

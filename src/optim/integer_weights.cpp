@@ -5,13 +5,9 @@
 #include <numeric>
 
 namespace viewcover {
-namespace {
-
-constexpr int kTotalBits = 40;
-
-}  // namespace
 
 IntegerWeights::IntegerWeights(const CoverInstance& instance) {
+  constexpr int kTotalBits = 40;
   for (const double weight : instance.weights()) {
     // A total of 0 leaves one unit a column: the number of columns counts.
     const double share = instance.total_weight() > 0 ? weight / instance.total_weight() : 0;

@@ -6,12 +6,8 @@
 namespace viewcover {
 namespace {
 
-/// Exchanges for which a row taken out may not return: the least, and how many more by chance.
-constexpr std::size_t kLeastAbsence = 3, kMoreAbsence = 8;
 /// Exchanges for which a row brought in stays, at most as many as half of the rows.
 constexpr std::size_t kMostStay = 6;
-/// Exchanges without a better set, for each of the k rows and in all, that end a start.
-constexpr std::size_t kExchangesPerStart = 40, kExchangesPerStartAndRow = 10;
 /// Entries of the table that are compared in the time of one entry of the matrix.
 constexpr std::size_t kComparisonsPerWork = 4;
 
@@ -26,11 +22,13 @@ SwapSearch::SwapSearch(const Incidence& lists, const IntegerWeights& weights, Ra
 
 std::vector<SwapSearch::Index> SwapSearch::improved(const std::vector<Index>& rows,
                                                     SearchEffort& effort) {
+  // Exchanges without a better set, for each of the k rows and in all, that end a start.
+  constexpr std::size_t kExchanges = 40, kExchangesPerRow = 10;
   start_from(rows);
   best_ = rows;
   best_covered_ = covered_;
   const Score most = weights_.upper_bound(rows.size());
-  const std::size_t patience = kExchangesPerStart + kExchangesPerStartAndRow * rows.size();
+  const std::size_t patience = kExchanges + kExchangesPerRow * rows.size();
   std::size_t since_better = 0;
   while (best_covered_ < most && !effort.spent(work_)) {
     make(best_exchange());
@@ -111,6 +109,8 @@ SwapSearch::Exchange SwapSearch::best_exchange() {
 }
 
 void SwapSearch::make(const Exchange& exchange) {
+  // Exchanges for which a row taken out may not return: the least, and how many more by chance.
+  constexpr std::size_t kLeastAbsence = 3, kMoreAbsence = 8;
   ++exchanges_;
   const Index out = chosen_[exchange.place], in = exchange.row;
   row_free_at_[out] = exchanges_ + kLeastAbsence + random_.below(kMoreAbsence + 1);

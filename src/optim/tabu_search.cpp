@@ -10,16 +10,6 @@ namespace {
 
 using Benefit = CoverState::Benefit;
 
-/// Exchanges without a better set that end the walk of a k: a fixed part and more for each row.
-constexpr std::size_t kPatience = 2000;
-constexpr std::size_t kPatiencePerRow = 40;
-/// The part of it for numbers of rows that the lower bound excludes: no cover can be missed there.
-constexpr std::size_t kLessBelowBound = 4;
-/// Exchanges for which a row taken out may not return: the least, and how many more by chance.
-constexpr std::size_t kLeastAbsence = 5, kMoreAbsence = 10;
-/// Exchanges for which a row brought in may not leave; at most half of the k rows are held.
-constexpr std::size_t kLeastStay = 1, kMoreStay = 8;
-
 /// The walk for one number of rows.
 class TabuWalk {
  public:
@@ -57,6 +47,10 @@ class TabuWalk {
 
   /// True iff the set is better than any before.
   bool exchange() {
+    // Exchanges for which a row taken out may not return: the least, and how many more by chance.
+    constexpr std::size_t kLeastAbsence = 5, kMoreAbsence = 10;
+    // Those for which a row brought in may not leave; at most half of the k rows are held.
+    constexpr std::size_t kLeastStay = 1, kMoreStay = 8;
     const Exchange move = best_exchange();
     if (move.change == Exchange{}.change) return false;
     const std::size_t leaving = chosen_[move.place];
@@ -114,6 +108,10 @@ class TabuWalk {
 }  // namespace
 
 RegionCover TabuSearch::solve(const CoverInstance& instance, const CoverOptions& options) const {
+  // Exchanges without a better set that end the walk of a k: a fixed part and more for each row.
+  constexpr std::size_t kPatience = 2000, kPatiencePerRow = 40;
+  // The part of it for numbers of rows that the lower bound excludes: no cover can be missed there.
+  constexpr std::size_t kLessBelowBound = 4;
   RandomNumbers random(options.seed);
   return grow_cover(instance, options,
                     [&](CoverState& state, const GrowthStage& stage, SearchLimits& limits) {

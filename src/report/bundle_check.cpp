@@ -16,9 +16,6 @@
 namespace viewcover {
 namespace {
 
-/// Sums of up to 10^9 terms in another order, and a text with 17 digits.
-constexpr double kRelativeRounding = 1e-6;
-
 class BundleChecker {
  public:
   explicit BundleChecker(const std::filesystem::path& folder)
@@ -67,6 +64,8 @@ class BundleChecker {
   }
 
   void check_cover() {
+    // Sums of up to 10^9 terms in another order, and a text with 17 digits.
+    constexpr double kRounding = 1e-6;
     const CsvTable cover(folder_ / "cover.csv");
     std::string wrong;
     if (areas_.size() != bits_.columns()) wrong = "not all areas are known";
@@ -81,9 +80,9 @@ class BundleChecker {
                    bound = cover.number(i, "upper_bound_percent"), covered = covered_percent();
       if (k != static_cast<double>(chosen_.size())) {
         wrong = fmt::format("k = {} with {} regions", k, chosen_.size());
-      } else if (std::fabs(percent - covered) > kRelativeRounding * 100) {
+      } else if (std::fabs(percent - covered) > kRounding * 100) {
         wrong = fmt::format("k = {}: {} %, but the regions see {} %", k, percent, covered);
-      } else if (bound < covered - kRelativeRounding * 100) {
+      } else if (bound < covered - kRounding * 100) {
         wrong = fmt::format("k = {}: at most {} %, but the regions see {} %", k, bound, covered);
       }
     }

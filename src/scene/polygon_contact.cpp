@@ -13,7 +13,7 @@ namespace viewcover {
 namespace {
 
 using Rational = CGAL::Exact_rational;
-using Kernel = CGAL::Simple_cartesian<Rational>;
+using ExactKernel = CGAL::Simple_cartesian<Rational>;
 
 // The edges of a convex polygon that end its segment on a plane: `up` leads from the back of the
 // plane (or the plane itself) to the front, `down` from the front (or the plane) to the back.
@@ -52,9 +52,9 @@ int edge_orientation(std::span<const Point> p, std::size_t i, std::span<const Po
   return orientation(p[i], p[(i + 1) % p.size()], q[j], q[(j + 1) % q.size()]);
 }
 
-Kernel::Triangle_3 fan_triangle(std::span<const Point> polygon, std::size_t i) {
+ExactKernel::Triangle_3 fan_triangle(std::span<const Point> polygon, std::size_t i) {
   const auto exact = [](const Point& x) {
-    return Kernel::Point_3(Rational(x.x()), Rational(x.y()), Rational(x.z()));
+    return ExactKernel::Point_3(Rational(x.x()), Rational(x.y()), Rational(x.z()));
   };
   return {exact(polygon[0]), exact(polygon[i - 1]), exact(polygon[i])};
 }
@@ -93,7 +93,7 @@ bool is_nearer_than(std::span<const Point> p, std::span<const Point> q, double d
   }
   const Rational limit = Rational(distance) * Rational(distance);
   for (std::size_t i = 2; i < p.size(); ++i) {
-    const Kernel::Triangle_3 part_of_p = fan_triangle(p, i);
+    const ExactKernel::Triangle_3 part_of_p = fan_triangle(p, i);
     for (std::size_t j = 2; j < q.size(); ++j) {
       if (CGAL::squared_distance(part_of_p, fan_triangle(q, j)) < limit) return true;
     }

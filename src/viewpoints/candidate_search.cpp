@@ -20,8 +20,6 @@ constexpr PoolCoverEffort kEffort{.nodes = 200};
 constexpr std::size_t kRuns = 48, kEvaluations = 40;
 /// What counts as a fall of the relaxation.
 constexpr double kFall = 0.005;
-/// Prices come from floating point.
-constexpr double kPriceTolerance = 1e-6;
 
 /// The columns that of some candidates only two see.
 std::vector<BitRows::Word> seen_only_by(std::span<const Candidate> candidates, std::size_t a,
@@ -110,7 +108,7 @@ bool CandidateSearch::look_by_prices() {
   std::vector<std::pair<double, std::size_t>> regions;  // by what their viewpoints cost at most
   for (std::size_t region = 0; region < views.region_count(); ++region) {
     const double most = prices.of(views.matrix().bits.row(region));
-    if (most > 1 + kPriceTolerance) regions.emplace_back(-most, region);
+    if (most > 1 + PoolCover::kPriceTolerance) regions.emplace_back(-most, region);
   }
   std::ranges::sort(regions);
   if (regions.empty()) return false;
@@ -124,7 +122,7 @@ bool CandidateSearch::look_by_prices() {
   }
   std::vector<Candidate> found = looks_.anneal(jobs);
   const bool promising = std::ranges::any_of(found, [&](const Candidate& candidate) {
-    return prices.of(candidate.seen) > 1 + kPriceTolerance;
+    return prices.of(candidate.seen) > 1 + PoolCover::kPriceTolerance;
   });
   add(std::move(found));
   return promising;

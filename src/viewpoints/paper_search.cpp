@@ -9,8 +9,6 @@ namespace {
 
 using Words = std::vector<BitRows::Word>;
 
-/// Annealing runs a region; the best counts.
-constexpr std::size_t kRuns = 4;
 /// Regions that are tried for an element that the cycle does not find.
 constexpr std::size_t kRegionsToHelp = 16;
 
@@ -39,10 +37,11 @@ class PaperSearch {
   std::vector<Candidate> visit(std::size_t region, std::size_t turn) {
     const ColumnWeights weights(unseen_, matrix_.areas);
     if (weights.of(matrix_.bits.row(region)) == 0) return {};
+    constexpr std::size_t kRunsPerRegion = 4;  // the best counts
     std::vector<AnnealingJob> jobs;
-    for (std::size_t run = 0; run < kRuns; ++run) {
+    for (std::size_t run = 0; run < kRunsPerRegion; ++run) {
       jobs.push_back(
-          {region, &weights, {.seed = mixed(options_.seed + mixed(turn * kRuns + run))}});
+          {region, &weights, {.seed = mixed(options_.seed + mixed(turn * kRunsPerRegion + run))}});
     }
     return looks_.anneal(jobs);
   }

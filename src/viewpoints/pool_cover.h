@@ -10,6 +10,9 @@ namespace viewcover {
 
 /// Few rows of a pool that see all that the pool sees, and what columns are worth.
 struct PoolCover {
+  /// What a sum of prices may be off by: they come from floating point.
+  static constexpr double kPriceTolerance = 1e-6;
+
   std::vector<std::size_t> chosen;  ///< ascending
   std::size_t lower_bound = 0;      ///< proved: no fewer rows of the pool do
   /// Prices of columns from the linear programme of the cover: no row's columns cost more than 1

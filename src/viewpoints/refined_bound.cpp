@@ -14,8 +14,6 @@ namespace {
 
 /// Cells split in a round.
 constexpr std::size_t kSplits = 64;
-/// Prices come from floating point.
-constexpr double kPriceTolerance = 1e-6;
 
 }  // namespace
 
@@ -114,7 +112,7 @@ std::vector<std::size_t> BoundRefinement::cells_to_split(const BitRows& rows) co
   }
   const std::size_t first_other = parents.size();
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (prices.of(rows.row(i)) >= 1 - kPriceTolerance) add(i);
+    if (prices.of(rows.row(i)) >= 1 - PoolCover::kPriceTolerance) add(i);
   }
   // Large ones first.
   std::stable_sort(parents.begin() + static_cast<std::ptrdiff_t>(first_other), parents.end(),

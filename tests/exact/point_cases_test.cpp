@@ -16,7 +16,7 @@ using testing::PointCase;
 using testing::Pose;
 using testing::Rational;
 
-bool is_facing(const SightQuery& query) {
+bool faces_viewpoint(const SightQuery& query) {
   const int side = testing::exact_side(query.element, ExactPoint(query.viewpoint));
   return query.one_sided ? side > 0 : side != 0;
 }
@@ -73,7 +73,7 @@ void expect_right(const SightQuery& query, const PointCase& expected) {
   if (expected.fully) {
     EXPECT_EQ(verdict == Verdict::kFullyVisible, *expected.fully);
   }
-  EXPECT_EQ(verdict == Verdict::kHiddenNotFacing, !is_facing(query));
+  EXPECT_EQ(verdict == Verdict::kHiddenNotFacing, !faces_viewpoint(query));
   EXPECT_NE(verdict, Verdict::kAssumedVisible);
   EXPECT_NE(verdict, Verdict::kHiddenAllRaysBlocked);
   const double fraction = expected.seen / expected.of;

@@ -22,7 +22,7 @@ bool is_integral(std::span<const Point> polygon) {
 }
 
 /// Is a point of the region off the element's plane, and in front of it if that is one-sided?
-bool is_facing(const SightQuery& query) {
+bool faces_region(const SightQuery& query) {
   return std::ranges::any_of(query.region, [&](const Point& corner) {
     const int side = testing::exact_side(query.element, ExactPoint(corner));
     return query.one_sided ? side > 0 : side != 0;
@@ -56,7 +56,7 @@ void expect_right(const SightQuery& query, const QueryCase& expected) {
   SCOPED_TRACE(name(verdict));
   EXPECT_EQ(is_visible(verdict), expected.visible);
   EXPECT_EQ(verdict == Verdict::kFullyVisible, expected.fully);
-  EXPECT_EQ(verdict == Verdict::kHiddenNotFacing, !is_facing(query));
+  EXPECT_EQ(verdict == Verdict::kHiddenNotFacing, !faces_region(query));
   EXPECT_NE(verdict, Verdict::kAssumedVisible);
   EXPECT_NE(verdict, Verdict::kHiddenAllRaysBlocked);
   EXPECT_EQ(answer.witness.has_value(), expected.visible);

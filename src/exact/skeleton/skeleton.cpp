@@ -65,7 +65,7 @@ struct StrictPolygon {
 };
 
 /// Collects free cells.
-struct AllFreeCells {
+struct FreeLineCells {
   LinePool& pool;
   FreeCells& cells;
 
@@ -134,8 +134,8 @@ class SkeletonBuilder {
         blockers.push_back(part.blockers[i]);
         half.occluders.insert(part.occluder_of_blocker[i]);
       }
-      AllFreeCells rules{pool_, *half.cells};
-      Subtraction<6, AllFreeCells>(pool_, blockers, rules).run(root);
+      FreeLineCells rules{pool_, *half.cells};
+      Subtraction<6, FreeLineCells>(pool_, blockers, rules).run(root);
     }
   }
 

@@ -24,14 +24,14 @@ void add_four_legs(SceneBuilder& scene, const Placement& at, double x, double y,
 void add_leaves(SceneBuilder& scene, const Placement& at, int leaves, int reach, double low,
                 double high) {
   assert(leaves <= static_cast<int>(kOctagon.size()));
-  constexpr double kUnit = 1.0 / 256;
   for (int leaf = 0; leaf < leaves; ++leaf) {
     const auto& [x0, y0] = kOctagon[static_cast<std::size_t>(leaf)];
     const auto& [x1, y1] = kOctagon[static_cast<std::size_t>(leaf + 1) % kOctagon.size()];
     const int near = reach / 2;
     const double tip = leaf % 2 == 0 ? high : high - 0.12;
-    scene.add_face({at(0, 0, low), at(x0 * near * kUnit, y0 * near * kUnit, (low + tip) / 2),
-                    at(x1 * reach * kUnit, y1 * reach * kUnit, tip)});
+    scene.add_face({at(0, 0, low),
+                    at(x0 * near * kRingUnit, y0 * near * kRingUnit, (low + tip) / 2),
+                    at(x1 * reach * kRingUnit, y1 * reach * kRingUnit, tip)});
   }
 }
 

@@ -14,7 +14,7 @@
 namespace viewcover {
 namespace {
 
-using Loop = std::vector<PlanCorner>;
+using PlanLoop = std::vector<PlanCorner>;
 
 int turn_of(const Point& a, const Point& b, const Point& c) { return turn(a, b, c, 2); }
 
@@ -31,11 +31,13 @@ bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& 
          (a_side == 0 && is_within_box(c, d, a)) || (b_side == 0 && is_within_box(c, d, b));
 }
 
-const PlanCorner& next_of(const Loop& loop, std::size_t i) { return loop[(i + 1) % loop.size()]; }
+const PlanCorner& next_of(const PlanLoop& loop, std::size_t i) {
+  return loop[(i + 1) % loop.size()];
+}
 
 /// Is the point strictly inside the loop, on whose boundary it does not lie? By crossings of the
 /// half-line toward +x.
-bool is_inside(const Loop& loop, const Point& x) {
+bool is_inside(const PlanLoop& loop, const Point& x) {
   bool inside = false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point *low = &loop[i].position, *high = &next_of(loop, i).position;
@@ -45,7 +47,7 @@ bool is_inside(const Loop& loop, const Point& x) {
   return inside;
 }
 
-bool is_counter_clockwise(const Loop& loop) {
+bool is_counter_clockwise(const PlanLoop& loop) {
   const auto lowest = static_cast<std::size_t>(
       std::ranges::min_element(loop,
                                [](const PlanCorner& a, const PlanCorner& b) {
@@ -69,7 +71,7 @@ class CheckedPlan {
     }
   }
 
-  std::span<const Loop> loops() const { return plan_; }
+  std::span<const PlanLoop> loops() const { return plan_; }
 
   /// One loop round everything: holes are joined to it by bridges, walked there and back.
   std::vector<Point> keyholed() const {
@@ -143,7 +145,7 @@ class CheckedPlan {
         }
       }
     }
-    const Loop& loop = plan_[hole];
+    const PlanLoop& loop = plan_[hole];
     std::vector<Point> round;
     for (std::size_t i = 0; i <= loop.size(); ++i) {
       round.push_back(loop[(corner + i) % loop.size()].position);
@@ -166,7 +168,7 @@ class CheckedPlan {
     for (std::size_t j = 0; j < joined.size(); ++j) {
       if (blocks(joined[j], joined[(j + 1) % joined.size()])) return false;
     }
-    return std::ranges::none_of(plan_, [&](const Loop& loop) {
+    return std::ranges::none_of(plan_, [&](const PlanLoop& loop) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (blocks(loop[i].position, next_of(loop, i).position)) return true;
       }
@@ -188,13 +190,13 @@ std::vector<Point> at_height(std::span<const Point> loop, double z) {
 
 GeneratedScene gallery(const std::filesystem::path& file, FloorPlan plan, double height) {
   double largest = height;
-  for (const Loop& loop : plan) {
+  for (const PlanLoop& loop : plan) {
     for (const PlanCorner& corner : loop) {
       largest = std::max(largest, corner.position.cwiseAbs().maxCoeff());
     }
   }
   const Lattice lattice = Lattice::for_extent(largest);
-  for (Loop& loop : plan) {
+  for (PlanLoop& loop : plan) {
     for (PlanCorner& corner : loop) corner.position = lattice.round(corner.position);
   }
   const double top = lattice.round(height), middle = lattice.round(height / 2);
@@ -206,7 +208,7 @@ GeneratedScene gallery(const std::filesystem::path& file, FloorPlan plan, double
 
   SceneBuilder builder(fmt::format("viewcover gallery of height {}", top));
   builder.begin_group("wall");
-  for (const Loop& loop : checked.loops()) {
+  for (const PlanLoop& loop : checked.loops()) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       // The inside is to the left.
       const Point &a = loop[i].position, &b = next_of(loop, i).position;

@@ -7,8 +7,6 @@ namespace viewcover {
 
 namespace {
 
-constexpr double kUnit = 1.0 / 256;
-
 // Left and lower edges of the compartments: n openings between n + 1 boards. The rest of the
 // width that rounding leaves goes to the last board, so that openings are equal.
 double opening(double extent, double frame, int count) {
@@ -57,7 +55,7 @@ void add_frustum(SceneBuilder& scene, const Placement& at, Ring ring, int bottom
                  double low, double high, Caps caps) {
   const auto corner = [&](std::size_t i, int scale, double z) {
     const auto& [x, y] = ring[i % ring.size()];
-    return at(x * scale * kUnit, y * scale * kUnit, z);
+    return at(x * scale * kRingUnit, y * scale * kRingUnit, z);
   };
   std::vector<Point> floor;
   std::vector<Point> ceiling;

@@ -14,6 +14,9 @@ namespace viewcover {
 /// A ring of corners in whole numbers, counter-clockwise from above.
 using Ring = std::span<const std::array<int, 2>>;
 
+/// What rings and their scales are whole numbers of, in metres.
+inline constexpr double kRingUnit = 1.0 / 256;
+
 /// Octagon with all corners at distance 13.
 inline constexpr std::array<std::array<int, 2>, 8> kOctagon = {
     {{12, 5}, {5, 12}, {-5, 12}, {-12, 5}, {-12, -5}, {-5, -12}, {5, -12}, {12, -5}}};
