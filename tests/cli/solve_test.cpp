@@ -262,7 +262,7 @@ TEST(Solve, OptionsReachTheRun) {
   const Json options = run_json(room.bundle()).at("options");
   EXPECT_EQ(options, Json::parse(R"({"backend": "rays", "rays": 4, "sampling": "stratified",
       "regions": 16, "element_area": 0.5, "optimizer": "exact", "viewpoints": "none",
-      "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "close_gap": null, "lattice": 16,
+      "coverage": "elements", "missed_share": null, "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "close_gap": null, "lattice": 16,
       "merge_coplanar": true, "allow_outside": true})"));
   EXPECT_EQ(Table(room.bundle() + "/regions.csv").rows.size(), 16u);
   EXPECT_EQ(run_json(room.bundle()).at("scene").at("lattice_exponent"), 16);

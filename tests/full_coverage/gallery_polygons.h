@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct GalleryCase {
   /// likes.
   bool walls_too = true;
 };
+
+/// For messages of tests.
+inline void PrintTo(const GalleryCase& gallery, std::ostream* out) { *out << gallery.name; }
 
 /// Convex and star-shaped polygons, combs, staircases, corridors, spirals, holes; the source
 /// derives each optimum, gallery_polygons_test.cpp checks guards and witnesses exactly.
