@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/sight_json.h"
@@ -18,8 +19,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kSomeBad = 2;
 
 struct SeesText {
   CommonOptions common;
@@ -133,7 +132,7 @@ int sees(const SeesText& text) {
     print_out(result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   if (in.bad()) throw InputError(text.file, "cannot be read to its end", "");
-  return any_bad ? kSomeBad : 0;
+  return any_bad ? kBadInput : kDone;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/option_values.h"
 #include "app/show_query.h"
 #include "scene/error.h"
@@ -13,8 +14,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kDone = 0;
 
 struct ShowText {
   CommonOptions common;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "app/console.h"
+#include "app/exit_codes.h"
 #include "app/interrupt.h"
 #include "app/sight_json.h"
 #include "exact/skeleton/skeleton.h"
@@ -14,8 +15,6 @@
 
 namespace viewcover {
 namespace {
-
-constexpr int kDone = 0, kSomeBad = 2;
 
 void add_skeleton(const SightQuery& query, QueryPicture& picture) {
   const SkeletonGraph graph = visibility_skeleton(query);
@@ -87,7 +86,7 @@ int show_queries(const ShowQueryOptions& options) {
     any_bad = any_bad || !picture;
     print_out(result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   }
-  return any_bad ? kSomeBad : kDone;
+  return any_bad ? kBadInput : kDone;
 }
 
 }  // namespace viewcover

@@ -13,6 +13,9 @@ struct Colour {
   friend bool operator==(Colour, Colour) = default;
 };
 
+/// Text and outlines.
+inline constexpr Colour kInk{30, 32, 36};
+
 /// a at 0, b at 1, in between linear in sRGB.
 Colour mixed(Colour a, Colour b, double t);
 

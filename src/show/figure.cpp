@@ -17,7 +17,6 @@ namespace viewcover {
 namespace {
 
 constexpr int kSamples = 3;  // 9 rays a pixel
-constexpr Colour kInk{30, 32, 36};
 
 std::vector<ConvexPolygon> polygons_of(const Scene& scene, const ShownElements& shown) {
   std::vector<ConvexPolygon> polygons;

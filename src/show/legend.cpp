@@ -3,7 +3,7 @@
 namespace viewcover {
 namespace {
 
-constexpr Colour kInk{30, 32, 36}, kFaint{120, 124, 130};
+constexpr Colour kFaint{120, 124, 130};
 
 }  // namespace
 

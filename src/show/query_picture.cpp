@@ -12,7 +12,7 @@ namespace viewcover {
 namespace {
 
 constexpr Colour kRegion{72, 72, 76}, kElement{86, 180, 233}, kSeenPart{250, 225, 110},
-    kOccluder{176, 170, 160}, kWitness{0, 130, 90}, kInk{30, 32, 36};
+    kOccluder{176, 170, 160}, kWitness{0, 130, 90};
 
 struct Face {
   ConvexPolygon polygon;
