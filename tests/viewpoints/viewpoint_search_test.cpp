@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cstdlib>
+
 #include "approx/ray_backend.h"
 #include "optim/cover_proof.h"
 #include "support/generated.h"
