@@ -34,6 +34,9 @@ constexpr std::size_t kPricedRegions = 48;
 /// Parts that are this share of what may be missed are looked at, and become witnesses of the
 /// bound.
 constexpr double kSmallestPiece = 0.02;
+/// Smaller ones count for what a further viewpoint adds, of the best positions.
+constexpr double kSmallestPieceOfGain = 2e-4;
+constexpr std::size_t kMostPlacesOfGain = 20000, kBestPositions = 32, kMostWitnessesAtOnce = 400;
 constexpr std::size_t kMostPlaces = 800, kMostWitnessesOfBound = 64;
 constexpr std::size_t kMostCandidates = 1500, kMostPoolLooks = 400;
 constexpr std::size_t kMostAskedAtOnce = 32;
@@ -104,7 +107,8 @@ class FullSearch {
   }
   std::vector<ElementTarget> places_in_elements(std::span<const Viewpoint> viewpoints) const;
   std::vector<std::size_t> elements_without_witness() const;
-  std::vector<WeightedPlace> unseen_places(std::span<const Viewpoint> viewpoints, double smallest);
+  std::vector<WeightedPlace> unseen_places(std::span<const Viewpoint> viewpoints, double smallest,
+                                           std::size_t most);
   std::vector<Viewpoint> cover_witnesses();
   enum class Missed { kTooLittle, kMoreWitnesses, kNoWitness };
   Missed add_what_is_missed(std::span<const Viewpoint> viewpoints);
@@ -180,9 +184,9 @@ std::vector<std::size_t> FullSearch::elements_without_witness() const {
 }
 
 /// Places in what the viewpoints do not image, weighted by area: in each piece, cut up while larger
-/// than what may be missed. Largest first; pieces below `smallest` have none.
+/// than what may be missed. The `most` largest, largest first; pieces below `smallest` have none.
 std::vector<WeightedPlace> FullSearch::unseen_places(std::span<const Viewpoint> viewpoints,
-                                                     double smallest) {
+                                                     double smallest, std::size_t most) {
   UnseenArea unseen = whole_area();
   for (const Viewpoint& viewpoint : viewpoints) unseen.subtract(viewpoint.position);
   const double largest = options_.missed_share * area_;
@@ -203,7 +207,7 @@ std::vector<WeightedPlace> FullSearch::unseen_places(std::span<const Viewpoint> 
   }
   std::ranges::stable_sort(parts, std::greater(),
                            [](const auto& part) { return area(part.second); });
-  if (parts.size() > kMostPlaces) parts.resize(kMostPlaces);
+  if (parts.size() > most) parts.resize(most);
   std::vector<std::optional<ElementTarget>> places(parts.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     const auto place = witnesses_.place_in(parts[i].first, parts[i].second);
@@ -399,9 +403,16 @@ std::vector<ValuedViewpoint> FullSearch::best_positions(std::span<const Weighted
 /// adds more than may be missed. Where there is a best set, only what it sees becomes a witness.
 FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> viewpoints) {
   const double enough = options_.missed_share * area_;
-  std::vector<WeightedPlace> places = unseen_places(viewpoints, kSmallestPiece * enough);
-  const std::vector<ValuedViewpoint> found = best_positions(places);
+  std::vector<WeightedPlace> places =
+      unseen_places(viewpoints, kSmallestPieceOfGain * enough, kMostPlacesOfGain);
+  std::vector<ValuedViewpoint> found =
+      best_positions(std::span(places).first(std::min(places.size(), kMostPlaces)));
   further_ = {{}, found.size()};
+  // All pieces count for the best few: small ones add up.
+  found.resize(std::min(found.size(), kBestPositions));
+  tbb::parallel_for(std::size_t{0}, found.size(),
+                    [&](std::size_t i) { found[i].value = value_of(found[i].viewpoint, places); });
+  std::ranges::stable_sort(found, std::greater(), &ValuedViewpoint::value);
   std::vector<ElementTarget> fresh;
   for (std::size_t added = 0; added < kMostAdditions; ++added) {
     const ValuedViewpoint* best = nullptr;
@@ -428,6 +439,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
     if (!fresh.empty()) pool_.add(found[i].viewpoint);
   }
   if (further_.best.value < enough) return Missed::kTooLittle;
+  if (fresh.size() > kMostWitnessesAtOnce) fresh.resize(kMostWitnessesAtOnce);
   if (!best_.empty()) std::erase_if(fresh, [&](const auto& place) { return !best_sees(place); });
   return witnesses_.add(fresh) > 0 ? Missed::kMoreWitnesses : Missed::kNoWitness;
 }
@@ -498,7 +510,7 @@ bool FullSearch::raise_bound() {
   if (lower_bound_ < best_.size() && !middles.empty()) {
     const double smallest = kSmallestPiece * options_.missed_share * area_;
     std::vector<ElementTarget> places;
-    for (const WeightedPlace& place : unseen_places(middles, smallest)) {
+    for (const WeightedPlace& place : unseen_places(middles, smallest, kMostPlaces)) {
       if (best_sees(place.place)) places.push_back(place.place);
       if (places.size() == kMostWitnessesOfBound) break;
     }
