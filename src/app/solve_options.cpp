@@ -64,8 +64,7 @@ void SolveText::add_to(CLI::App& command) {
   option("--viewpoints", viewpoints, "viewpoint search: sa (default) or none", "NAME");
   option("--coverage", coverage,
          "what viewpoints must do: see a part of each element (elements, default) or image all "
-         "that is "
-         "visible (full)",
+         "that is visible (full)",
          "KIND");
   option("--missed-share", missed_share,
          "with --coverage full: share of the area imaged that one more image may add (default: "

@@ -26,7 +26,7 @@ BoundRefinement::BoundRefinement(const CellViews& views, std::span<const std::ui
     cells_.push_back({region.address(i), i, views.positions(i).region()});
   }
   seen_.resize(cells_.size());
-  find_lends();
+  lends_ = views_.lends(cells_);
   ask(columns);
 }
 
@@ -51,8 +51,6 @@ void BoundRefinement::ask(std::span<const std::uint32_t> columns) {
     }
   });
 }
-
-void BoundRefinement::find_lends() { lends_ = views_.lends(cells_); }
 
 bool BoundRefinement::refine() {
   const BitRows matrix = rows();
@@ -152,7 +150,7 @@ void BoundRefinement::split(std::span<const std::size_t> parents) {
   }
   cells_ = std::move(cells);
   seen_ = std::move(seen_by_cell);
-  find_lends();
+  lends_ = views_.lends(cells_);
 }
 
 void BoundRefinement::find_middles() {

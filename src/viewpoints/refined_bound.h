@@ -53,7 +53,6 @@ class BoundRefinement {
   const RefinedBound& bound() const { return bound_; }
 
  private:
-  void find_lends();
   /// What each cell sees, and what others lend it.
   BitRows rows() const;
   void keep_proof(const BitRows& rows);

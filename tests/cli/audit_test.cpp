@@ -27,11 +27,6 @@ class Audit : public ::testing::Test {
   std::filesystem::path file(const std::string& name) const {
     return std::filesystem::path(room_.bundle()) / name;
   }
-  void expect_refused(const Outcome& outcome, const std::string& reason) const {
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.error, HasSubstr(reason));
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1);
-  }
 
   RoomFolder room_;
   std::string viewpoints_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -59,6 +61,13 @@ inline Json run_json(const std::filesystem::path& bundle) {
 /// True iff the folder reads as a finished result.
 inline bool is_complete(const std::filesystem::path& bundle) {
   return std::filesystem::exists(bundle / "run.json") && run_json(bundle).at("complete") == true;
+}
+
+/// One line that says why, and exit code 2.
+inline void expect_refused(const Outcome& outcome, const std::string& reason) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, ::testing::HasSubstr(reason));
+  EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
 }
 
 /// The files of a bundle without what may differ between equal runs.
