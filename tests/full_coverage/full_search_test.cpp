@@ -144,6 +144,24 @@ TEST(FullSearch, EachViewpointAddsImagedAreaUpToTheShare) {
   }
 }
 
+// A floor on both sides of a screen: from either side a part of both is seen, and no more than half
+// of the floor.
+TEST(FullSearch, GoesOnWhileAFurtherViewpointAddsMoreThanTheShare) {
+  const std::vector<ConvexPolygon> polygons = {horizontal(0, 0, 10, 10, 0),
+                                               {{5, 0, 0}, {5, 10, 0}, {5, 10, 2}, {5, 0, 2}}};
+  ViewingRegion region = region_of(horizontal(1, 1, 4, 9, 1), 1);
+  region.parts.push_back(horizontal(6, 1, 9, 9, 1));
+  const SolvedScene solved(scene_of(polygons), region, 1000);
+  const ViewpointSet parts = find_viewpoints(solved.views, solved.options());
+  ASSERT_EQ(parts.viewpoints.size(), 1u);
+  FullCoverageOptions options;
+  options.missed_share = 6e-3;
+  const ViewpointSet full = find_full_coverage(solved.views, parts, options);
+  EXPECT_EQ(full.viewpoints.size(), 2u);
+  EXPECT_EQ(full.lower_bound, 2u);
+  EXPECT_LT(unseen_area(solved, full.viewpoints), 1e-2 * unseen_area(solved, {}));
+}
+
 TEST(FullSearch, InterruptedAndOutOfTime) {
   const auto solved = solved_gallery(gallery_named("two pillars"), 4, 4);
   FullCoverageOptions options;
