@@ -3,17 +3,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "audit/unseen_area.h"
 #include "full_coverage/full_coverage.h"
-#include "full_coverage/special_positions.h"
+#include "full_coverage/position_search.h"
 #include "full_coverage/witness_pool.h"
 #include "optim/reductions.h"
 #include "viewpoints/column_bits.h"
 #include "viewpoints/column_weights.h"
 #include "viewpoints/pool_cover.h"
-#include "viewpoints/position_annealing.h"
 #include "viewpoints/refined_bound.h"
 
 namespace viewcover {
@@ -23,10 +21,6 @@ namespace {
 constexpr PoolCoverEffort kEffort{.nodes = 300, .patience = 200'000};
 /// Prices come from floating point.
 constexpr double kPriceTolerance = 1e-6;
-/// Positions tried for what is still unseen: random ones in each region; the best are annealed.
-constexpr std::size_t kRandomPositions = 4, kAnnealed = 16, kEvaluations = 64;
-/// Special positions near an annealed one that are looked round, too.
-constexpr std::size_t kBestSpecial = 3;
 /// New viewpoints after each audit, at most.
 constexpr std::size_t kMostAdditions = 12;
 /// Regions searched by prices in a round.
@@ -38,19 +32,8 @@ constexpr double kSmallestPiece = 0.02;
 constexpr double kSmallestPieceOfGain = 2e-4;
 constexpr std::size_t kMostPlacesOfGain = 20000, kBestPositions = 32, kMostWitnessesAtOnce = 400;
 constexpr std::size_t kMostPlaces = 800, kMostWitnessesOfBound = 64;
-constexpr std::size_t kMostCandidates = 1500, kMostPoolLooks = 400;
+constexpr std::size_t kMostCandidates = 1500;
 constexpr std::size_t kMostAskedAtOnce = 32;
-
-/// A place and what seeing it is worth.
-struct WeightedPlace {
-  ElementTarget place;
-  double weight = 0;
-};
-
-struct ValuedViewpoint {
-  Viewpoint viewpoint;
-  double value = 0;
-};
 
 CoverOptions limits_of(const FullCoverageOptions& options) {
   CoverOptions limits;
@@ -69,7 +52,7 @@ class FullSearch {
         limits_(limits_of(options)),
         witnesses_(views),
         pool_(views, witnesses_),
-        special_(views),
+        search_(views, witnesses_, limits_, options.seed),
         parts_(parts),
         lower_bound_(parts.lower_bound) {
     for_each_bit(std::span<const BitRows::Word>(views.matrix().bits.union_of_all()),
@@ -80,7 +63,7 @@ class FullSearch {
                  });
     for (const Viewpoint& viewpoint : parts.viewpoints) pool_.add(viewpoint);
     for (const Viewpoint& viewpoint : parts.tried) pool_.add(viewpoint);
-    for (const Viewpoint& viewpoint : special_.corners()) pool_.add(viewpoint);
+    for (const Viewpoint& viewpoint : search_.special().corners()) pool_.add(viewpoint);
     witnesses_.add(places_in_elements(parts.viewpoints));
     pool_.set_elements(elements_without_witness());
   }
@@ -112,13 +95,6 @@ class FullSearch {
   std::vector<Viewpoint> cover_witnesses();
   enum class Missed { kTooLittle, kMoreWitnesses, kNoWitness };
   Missed add_what_is_missed(std::span<const Viewpoint> viewpoints);
-  std::vector<ValuedViewpoint> best_positions(std::span<const WeightedPlace> places);
-  double value_of(const Viewpoint& viewpoint, std::span<const WeightedPlace> places) const;
-  /// Annealing in a region for the places that it sees, then the special positions near the best.
-  std::vector<ValuedViewpoint> anneal(std::size_t region, std::optional<Point> start,
-                                      std::span<const WeightedPlace> places,
-                                      std::uint64_t seed) const;
-  std::optional<Viewpoint> position_that_sees(const ElementTarget& place) const;
   void add_by_prices();
   bool raise_bound();
   void trim();
@@ -131,7 +107,7 @@ class FullSearch {
   SearchLimits limits_;
   Witnesses witnesses_;
   WitnessPool pool_;
-  SpecialPositions special_;
+  PositionSearch search_;
   const ViewpointSet& parts_;
   std::vector<std::size_t> columns_;      // that some region sees
   std::vector<ElementAddress> elements_;  // of these
@@ -148,8 +124,6 @@ class FullSearch {
   };
   Further further_;          // than the set looked at last
   Further further_to_best_;  // than best_
-  std::uint64_t jobs_ = 0;
-  std::uint64_t looked_ = 0;
 };
 
 std::vector<ElementTarget> FullSearch::places_in_elements(
@@ -259,159 +233,20 @@ std::vector<Viewpoint> FullSearch::cover_witnesses() {
   return chosen;
 }
 
-double FullSearch::value_of(const Viewpoint& viewpoint,
-                            std::span<const WeightedPlace> places) const {
-  double value = 0;
-  for (const WeightedPlace& place : places) {
-    if (views_.region_sees(viewpoint.region, place.place.column) &&
-        witnesses_.is_seen(viewpoint.position, place.place)) {
-      value += place.weight;
-    }
-  }
-  return value;
-}
-
-std::vector<ValuedViewpoint> FullSearch::anneal(std::size_t region, std::optional<Point> start,
-                                                std::span<const WeightedPlace> places,
-                                                std::uint64_t seed) const {
-  std::vector<WeightedPlace> seen;
-  double most = 0;
-  for (const WeightedPlace& place : places) {
-    if (!views_.region_sees(region, place.place.column)) continue;
-    seen.push_back(place);
-    most += place.weight;
-  }
-  std::vector<ValuedViewpoint> found;
-  if (seen.empty()) return found;
-  const auto value = [&](const Point& position) -> std::optional<double> {
-    if (!views_.is_free(region, position)) return std::nullopt;
-    return value_of({position, region}, seen);
-  };
-  const AnnealedPosition annealed =
-      anneal_position(views_.positions(region), most, value,
-                      {.seed = seed, .evaluations = kEvaluations, .start = start});
-  if (annealed.records.empty()) return found;
-  const Viewpoint best{annealed.records.back(), region};
-  found.push_back({best, annealed.benefit});
-  std::vector<ValuedViewpoint> special;
-  const auto add = [&](const Viewpoint& viewpoint) {
-    special.push_back({viewpoint, value_of(viewpoint, places)});
-  };
-  std::ranges::for_each(special_.near(best), add);
-  std::ranges::stable_sort(special, std::greater(), &ValuedViewpoint::value);
-  special.resize(std::min(special.size(), kBestSpecial));
-  for (const ValuedViewpoint& valued : std::vector(special)) {
-    std::ranges::for_each(special_.beside(valued.viewpoint), add);
-  }
-  for (const ValuedViewpoint& valued : special) {
-    if (valued.value >= annealed.benefit) found.push_back(valued);
-  }
-  std::ranges::stable_sort(found, std::greater(), &ValuedViewpoint::value);
-  return found;
-}
-
-/// Goes down to a part of a region that sees the place until a position in it does.
-std::optional<Viewpoint> FullSearch::position_that_sees(const ElementTarget& place) const {
-  constexpr int kDeepest = 8;
-  for (std::size_t i = 0; i < views_.region_count(); ++i) {
-    if (!views_.region_sees(i, place.column)) continue;
-    RegionCell cell{views_.region().address(i), i, views_.positions(i).region()};
-    if (!views_.cell_sees_place(cell, place)) continue;
-    for (int depth = 0; depth < kDeepest; ++depth) {
-      const Point middle = views_.positions(i).nearest(centroid(cell.polygon));
-      if (witnesses_.is_seen(middle, place) && views_.is_free(i, middle)) {
-        return Viewpoint{middle, i};
-      }
-      if (cell.address.level() == kMaxSubdivisionLevel) break;
-      const auto quarter = quarters(cell.polygon);
-      int digit = 0;
-      while (digit < 4 &&
-             !views_.cell_sees_place(
-                 {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]}, place)) {
-        ++digit;
-      }
-      if (digit == 4) break;
-      cell = {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]};
-    }
-  }
-  return std::nullopt;
-}
-
-/// Positions that image much of what the places stand for, best first.
-std::vector<ValuedViewpoint> FullSearch::best_positions(std::span<const WeightedPlace> places) {
-  const std::uint64_t seed = options_.seed + (++jobs_ << 32);
-  std::vector<ValuedViewpoint> tried(views_.region_count() * kRandomPositions);
-  tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t job) {
-    const std::size_t region = job / kRandomPositions;
-    RandomNumbers random(mixed(seed + job));
-    const Viewpoint viewpoint{views_.positions(region).random(random), region};
-    if (!views_.is_free(region, viewpoint.position) || limits_.due()) return;
-    tried[job] = {viewpoint, value_of(viewpoint, places)};
-  });
-  const std::size_t step = 1 + pool_.size() / kMostPoolLooks;
-  std::vector<ValuedViewpoint> known((pool_.size() + step - 1) / step);
-  tbb::parallel_for(std::size_t{0}, known.size(), [&](std::size_t i) {
-    known[i] = {pool_[i * step], value_of(pool_[i * step], places)};
-  });
-  tried.insert(tried.end(), known.begin(), known.end());
-  // What nothing sees by chance is looked for.
-  std::vector<WeightedPlace> hard;
-  for (const WeightedPlace& place : places) {
-    if (place.weight < 0.5 * options_.missed_share * area_ ||
-        hard.size() == kMostWitnessesOfBound) {
-      break;
-    }
-    hard.push_back(place);
-  }
-  std::vector<ValuedViewpoint> aimed(hard.size());
-  tbb::parallel_for(std::size_t{0}, hard.size(), [&](std::size_t i) {
-    const bool is_seen = std::ranges::any_of(tried, [&](const ValuedViewpoint& valued) {
-      return valued.value > 0 && witnesses_.is_seen(valued.viewpoint.position, hard[i].place);
-    });
-    if (is_seen || limits_.due()) return;
-    if (const auto viewpoint = position_that_sees(hard[i].place)) {
-      aimed[i] = {*viewpoint, value_of(*viewpoint, places)};
-    }
-  });
-  tried.insert(tried.end(), aimed.begin(), aimed.end());
-  std::erase_if(tried, [](const ValuedViewpoint& valued) { return valued.value == 0; });
-  std::ranges::stable_sort(tried, std::greater(), &ValuedViewpoint::value);
-  looked_ += tried.size();
-
-  std::vector<ValuedViewpoint> starts;
-  for (const ValuedViewpoint& valued : tried) {
-    if (starts.size() == kAnnealed) break;
-    if (std::ranges::none_of(starts, [&](const ValuedViewpoint& start) {
-          return start.viewpoint.region == valued.viewpoint.region;
-        })) {
-      starts.push_back(valued);
-    }
-  }
-  std::vector<std::vector<ValuedViewpoint>> annealed(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
-    if (limits_.due()) return;
-    annealed[i] = anneal(starts[i].viewpoint.region, starts[i].viewpoint.position, places,
-                         mixed(seed + tried.size() + i));
-  });
-  looked_ += starts.size() * kEvaluations;
-  for (const auto& found : annealed) tried.insert(tried.end(), found.begin(), found.end());
-  std::ranges::stable_sort(tried, std::greater(), &ValuedViewpoint::value);
-  return tried;
-}
-
 /// Positions and witnesses for what the viewpoints do not image. kTooLittle: nothing was found that
 /// adds more than may be missed. Where there is a best set, only what it sees becomes a witness.
 FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> viewpoints) {
   const double enough = options_.missed_share * area_;
   std::vector<WeightedPlace> places =
       unseen_places(viewpoints, kSmallestPieceOfGain * enough, kMostPlacesOfGain);
-  std::vector<ValuedViewpoint> found =
-      best_positions(std::span(places).first(std::min(places.size(), kMostPlaces)));
+  std::vector<ValuedViewpoint> found = search_.best(
+      std::span(places).first(std::min(places.size(), kMostPlaces)), pool_, enough / 2);
   further_ = {{}, found.size()};
   // All pieces count for the best few: small ones add up.
   found.resize(std::min(found.size(), kBestPositions));
-  tbb::parallel_for(std::size_t{0}, found.size(),
-                    [&](std::size_t i) { found[i].value = value_of(found[i].viewpoint, places); });
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    found[i].value = search_.value_of(found[i].viewpoint, places);
+  });
   std::ranges::stable_sort(found, std::greater(), &ValuedViewpoint::value);
   std::vector<ElementTarget> fresh;
   for (std::size_t added = 0; added < kMostAdditions; ++added) {
@@ -419,7 +254,7 @@ FullSearch::Missed FullSearch::add_what_is_missed(std::span<const Viewpoint> vie
     double most = 0;
     for (const ValuedViewpoint& candidate : found) {
       if (candidate.value <= most) break;  // values only fall
-      const double value = value_of(candidate.viewpoint, places);
+      const double value = search_.value_of(candidate.viewpoint, places);
       if (value > most) {
         most = value;
         best = &candidate;
@@ -469,7 +304,7 @@ void FullSearch::add_by_prices() {
   for (std::size_t i = 0; i < of_region.size(); ++i) {
     if (of_region[i] + of_elements[i] > 1 + kPriceTolerance) regions.push_back(i);
   }
-  const std::uint64_t seed = options_.seed + (++jobs_ << 32);
+  const std::uint64_t seed = search_.next_seed();
   RandomNumbers random(mixed(seed));
   if (regions.size() > kPricedRegions) {
     for (std::size_t i = 0; i < kPricedRegions; ++i) {
@@ -477,13 +312,7 @@ void FullSearch::add_by_prices() {
     }
     regions.resize(kPricedRegions);
   }
-  std::vector<std::vector<ValuedViewpoint>> found(regions.size());
-  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
-    if (limits_.due()) return;
-    found[i] = anneal(regions[i], std::nullopt, places, mixed(seed + i + 1));
-  });
-  looked_ += regions.size() * kEvaluations;
-  for (const std::vector<ValuedViewpoint>& of_this : found) {
+  for (const std::vector<ValuedViewpoint>& of_this : search_.anneal(regions, places, seed)) {
     for (std::size_t k = 0; k < std::min<std::size_t>(of_this.size(), 3); ++k) {
       const auto& [viewpoint, value] = of_this[k];
       if (value + of_elements[viewpoint.region] > 1 + kPriceTolerance) pool_.add(viewpoint);
@@ -543,7 +372,7 @@ void FullSearch::report() const {
   if (options_.progress == nullptr) return;
   options_.progress->viewpoints = best_.size();
   options_.progress->lower_bound = std::min(lower_bound_, best_.size());
-  options_.progress->positions = looked_;
+  options_.progress->positions = search_.looked();
 }
 
 ViewpointSet FullSearch::run() {
@@ -585,7 +414,7 @@ ViewpointSet FullSearch::result() {
   UnseenArea unseen = whole_area();
   while (!left.empty()) {
     std::vector<double> values;
-    for (const Viewpoint& viewpoint : left) values.push_back(value_of(viewpoint, places));
+    for (const Viewpoint& viewpoint : left) values.push_back(search_.value_of(viewpoint, places));
     const auto best = std::ranges::max_element(values) - values.begin();
     const Viewpoint viewpoint = left[static_cast<std::size_t>(best)];
     left.erase(left.begin() + best);
@@ -622,7 +451,7 @@ ViewpointSet FullSearch::result() {
   set.full = std::make_shared<const FullCoverage>(std::move(full));
   set.paper_viewpoints = parts_.paper_viewpoints;
   set.candidates = pool_.size();
-  set.positions = looked_;
+  set.positions = search_.looked();
   set.relaxation = cover_.relaxation;
   set.time_limit_reached = limits_.has_expired();
   return set;
