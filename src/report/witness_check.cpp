@@ -44,6 +44,7 @@ class WitnessChecker {
     const bool fits = wrong.empty();
     std::vector<BundleClaim> claims = {{"each witness lies in its element", std::move(wrong)}};
     if (!fits) return claims;
+    claims.push_back({"no witness lies on another surface or in the plane of a region", crossed()});
     claims.push_back({"each witness is seen from a viewpoint", unseen()});
     if (std::filesystem::exists(folder_ / "bound.csv") && bound_is_of_witnesses()) {
       claims.push_back(
@@ -68,6 +69,35 @@ class WitnessChecker {
       }
     }
     return {};
+  }
+
+  /// Exact. What the proof of the bound asks for besides: surfaces near a witness are its own, and
+  /// it sees no region edge-on.
+  std::string crossed() const {
+    const CsvTable table(folder_ / "regions.csv");
+    std::vector<ConvexPolygon> regions;
+    for (std::size_t row = 0; row < table.size(); ++row) regions.push_back(corners_in(table, row));
+    const auto contains = [&](const Point& x, std::size_t surface) {
+      const ConvexPolygon& polygon = bundle_.scene.surfaces[surface].polygon;
+      return bounding_box(polygon).contains(x) && lies_in(x, polygon);
+    };
+    std::vector<std::string> wrong(witnesses_.size());
+    tbb::parallel_for(std::size_t{0}, witnesses_.size(), [&](std::size_t i) {
+      const auto& [element, place] = witnesses_[i];
+      const std::size_t own = bundle_.elements[element].owner().value;
+      for (std::size_t s = 0; s < bundle_.scene.surfaces.size(); ++s) {
+        if (s == own || !contains(place, s)) continue;
+        wrong[i] = fmt::format("witness {} lies on surface {} too", i + 1, s + 1);
+        return;
+      }
+      for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (orientation(regions[r][0], regions[r][1], regions[r][2], place) != 0) continue;
+        wrong[i] = fmt::format("witness {} lies in the plane of region {}", i + 1, r + 1);
+        return;
+      }
+    });
+    const auto first = std::ranges::find_if(wrong, [](const auto& text) { return !text.empty(); });
+    return first == wrong.end() ? std::string() : *first;
   }
 
   /// Exact.

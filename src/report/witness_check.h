@@ -14,10 +14,11 @@ struct WitnessCheckOptions {
   std::size_t most_segments = 400'000;
 };
 
-/// Asks again what full coverage claims of its witnesses: that each lies in its element, that some
-/// viewpoint sees each, and that cells of the bound do not see those that bound.mtx says they do
-/// not: random positions in such a cell must be blocked. Each segment is compared exactly with all
-/// surfaces in turn, by no code that made the claims.
+/// Asks again what full coverage claims of its witnesses: that each lies in its element, on no
+/// other surface and in the plane of no region, that some viewpoint sees each, and that cells of
+/// the bound do not see those that bound.mtx says they do not: random positions in such a cell must
+/// be blocked. Each segment is compared exactly with all surfaces in turn, by no code that made the
+/// claims.
 ///
 /// No claims for a bundle without witnesses.csv. Cost: seconds. Uses all threads of the current TBB
 /// arena. Errors: as `load_bundle_scene`, and InputError for files that cannot be read.

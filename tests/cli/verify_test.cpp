@@ -292,6 +292,35 @@ TEST_F(VerifyFullCoverage, HoldsUntilAWitnessIsMoved) {
   expect_contradiction("each witness lies in its element");
 }
 
+TEST_F(VerifyFullCoverage, FindsAWitnessWhereSurfacesMeetOrInTheRegionsPlane) {
+  // The regions lie at z = 1, the first wall at y = 0: the nearest witness moves there.
+  const std::string whole = read_file(bundle() / "witnesses.csv");
+  const auto move_nearest = [&](const std::string& axis, double to, const std::string& pattern) {
+    std::string nearest, moved;
+    double least = INFINITY;
+    std::istringstream in(whole);
+    for (std::string line; std::getline(in, line);) {
+      std::smatch found;
+      if (!std::regex_match(line, found, std::regex(pattern))) continue;
+      const double away = std::abs(std::stod(found[2]) - to);
+      if (away >= least) continue;
+      least = away;
+      nearest = line;
+      moved = found[1].str() + axis + found[3].str();
+    }
+    ASSERT_FALSE(nearest.empty());
+    std::string text = whole;
+    text.replace(text.find(nearest), nearest.size(), moved);
+    std::ofstream(bundle() / "witnesses.csv") << text;
+  };
+  const std::string claim =
+      "no witness lies on another surface or in the plane of a region: witness";
+  move_nearest("0", 0, R"((\d+,\d+,[34][^,]*,)([^,]+)(,0))");  // of the floor
+  expect_contradiction(claim);
+  move_nearest("1", 1, R"((\d+,\d+,[^,]+,[^,]+,)([01]\.[^,]+)(.*))");  // of a wall
+  expect_contradiction(claim);
+}
+
 TEST_F(VerifyFullCoverage, FindsAWitnessThatIsNotSeen) {
   // One viewpoint goes where another is.
   const Table viewpoints(bundle() / "viewpoints.csv");
