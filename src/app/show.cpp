@@ -71,7 +71,7 @@ std::string name_of(const std::filesystem::path& folder) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-std::string write_page(const RunData& run, const ShownElements& shown,
+std::string write_page(const RunData& run, const CommonElements& shown,
                        const std::optional<RunData>& other, const FigureOptions& options,
                        const ShowText& text) {
   const PageContent content{run,
@@ -103,7 +103,8 @@ int show(const ShowText& text) {
   const RunData run = load_run_data(folder, text.scene);
   std::optional<RunData> other;
   if (!text.against.empty()) other = load_run_data(text.against, text.scene);
-  const ShownElements shown = other ? shown_elements(run, *other) : shown_elements(run);
+  const CommonElements shown =
+      other ? common_elements(run, *other, "--against") : common_elements(run);
   options.up_axis = options.up_axis.value_or(up_axis_of(run));
   const bool from_outside = !options.viewpoint || !text.no_page;
   if (from_outside && !options.view) options.view = default_view(run, shown, *options.up_axis);

@@ -1,4 +1,4 @@
-#include "show/difference.h"
+#include "compare/common_elements.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,9 +8,9 @@
 namespace viewcover {
 namespace {
 
-void require_alike(const RunData& first, const RunData& second) {
-  const auto refuse = [](std::string_view what) {
-    throw InputError("--against", "the runs have different " + std::string(what),
+void require_alike(const RunData& first, const RunData& second, std::string_view place) {
+  const auto refuse = [&](std::string_view what) {
+    throw InputError(place, "the runs have different " + std::string(what),
                      "give two runs of one scene and region");
   };
   const auto polygon = [](const Surface& surface) { return surface.polygon; };
@@ -24,13 +24,13 @@ void require_alike(const RunData& first, const RunData& second) {
 /// The finer one of each pair of elements that overlap. Both lists tile the same surfaces in
 /// ascending order, so of the elements at their heads one holds the other.
 void refine_commonly(const std::vector<ElementAddress>& a, const std::vector<ElementAddress>& b,
-                     ShownElements& shown) {
+                     CommonElements& common) {
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
     const bool a_is_finer = b[j].contains(a[i]);
     const ElementAddress finer = a_is_finer ? a[i] : b[j];
-    shown.addresses.push_back(finer);
-    shown.first.push_back(i);
-    shown.second.push_back(j);
+    common.addresses.push_back(finer);
+    common.first.push_back(i);
+    common.second.push_back(j);
     // An element is done once the next of the other list lies outside it.
     const std::size_t next_i = i + (a_is_finer ? 1 : 0), next_j = j + (a_is_finer ? 0 : 1);
     if (a_is_finer) {
@@ -45,28 +45,29 @@ void refine_commonly(const std::vector<ElementAddress>& a, const std::vector<Ele
 
 }  // namespace
 
-ShownElements shown_elements(const RunData& run) {
-  ShownElements shown;
-  shown.addresses = run.bundle.elements;
-  shown.first.resize(shown.size());
-  std::iota(shown.first.begin(), shown.first.end(), std::size_t{0});
-  return shown;
+CommonElements common_elements(const RunData& run) {
+  CommonElements common;
+  common.addresses = run.bundle.elements;
+  common.first.resize(common.size());
+  std::iota(common.first.begin(), common.first.end(), std::size_t{0});
+  return common;
 }
 
-ShownElements shown_elements(const RunData& first, const RunData& second) {
-  require_alike(first, second);
-  ShownElements shown;
-  refine_commonly(first.bundle.elements, second.bundle.elements, shown);
-  shown.differences.resize(shown.size());
+CommonElements common_elements(const RunData& first, const RunData& second,
+                               std::string_view place) {
+  require_alike(first, second, place);
+  CommonElements common;
+  refine_commonly(first.bundle.elements, second.bundle.elements, common);
+  common.differences.resize(common.size());
   for (std::size_t region = 0; region < first.regions.size(); ++region) {
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      const bool a = first.seen.test(region, shown.first[i]),
-                 b = second.seen.test(region, shown.second[i]);
-      shown.differences[i].missed += a && !b;
-      shown.differences[i].excess += b && !a;
+    for (std::size_t i = 0; i < common.size(); ++i) {
+      const bool a = first.seen.test(region, common.first[i]),
+                 b = second.seen.test(region, common.second[i]);
+      common.differences[i].missed += a && !b;
+      common.differences[i].excess += b && !a;
     }
   }
-  return shown;
+  return common;
 }
 
 }  // namespace viewcover

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string_view>
 #include <vector>
 
-#include "show/run_data.h"
+#include "report/run_data.h"
 
 namespace viewcover {
 
@@ -14,9 +14,9 @@ struct Difference {
   std::uint32_t excess = 0;  ///< the second sees it, the first does not
 };
 
-/// The pieces of surfaces that pictures show: the elements of one run, or the common refinement of
-/// those of two.
-struct ShownElements {
+/// The pieces of surfaces to speak of: the elements of one run, or the common refinement of those
+/// of two.
+struct CommonElements {
   std::vector<ElementAddress> addresses;  ///< ascending, tile every surface
   std::vector<std::size_t> first;         ///< the element of the first run that each lies in
   std::vector<std::size_t> second;        ///< of the second run; empty if there is one only
@@ -25,11 +25,11 @@ struct ShownElements {
   std::size_t size() const { return addresses.size(); }
 };
 
-ShownElements shown_elements(const RunData& run);
+CommonElements common_elements(const RunData& run);
 
 /// Pairs of a region and an element that the runs differ about, by element.
-/// Errors: InputError at `--against` if the runs are not of the same scene, loaded alike, and
+/// Errors: InputError at `place` if the runs are not of the same scene, loaded alike, and
 /// the same regions.
-ShownElements shown_elements(const RunData& first, const RunData& second);
+CommonElements common_elements(const RunData& first, const RunData& second, std::string_view place);
 
 }  // namespace viewcover

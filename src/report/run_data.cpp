@@ -1,4 +1,4 @@
-#include "show/run_data.h"
+#include "report/run_data.h"
 
 #include <numeric>
 
@@ -20,6 +20,19 @@ ConvexPolygon corners_of(const CsvTable& table, std::size_t row) {
   }
 }
 
+/// Errors: InputError for a row that names no node, or not one after those of the rows before.
+RegionAddress region_address(const CsvTable& table, std::size_t row, const RegionAddress* before) {
+  const std::size_t part = table.count(row, "part"), level = table.count(row, "level"),
+                    path = table.count(row, "path");
+  const bool is_node = part >= 1 && part <= UINT32_MAX &&
+                       level <= std::size_t{kMaxSubdivisionLevel} && path >> (2 * level) == 0;
+  if (is_node) {
+    const RegionAddress address(PartId(part - 1), static_cast<int>(level), path);
+    if (before == nullptr || *before < address) return address;
+  }
+  throw InputError(table.place(row), "is no region in its place", "give the folder of one run");
+}
+
 /// Numbers of a file, which count from 1, as numbers from 0 below `end`.
 std::size_t place_of(std::size_t number, std::size_t end, const std::string& place) {
   if (number >= 1 && number <= end) return number - 1;
@@ -39,9 +52,9 @@ void require_size(const std::filesystem::path& file, std::string_view what, std:
 void read_covers(const std::filesystem::path& file, RunData& run) {
   const CsvTable table(file);
   for (std::size_t row = 0; row < table.size(); ++row) {
-    ShownCover cover{table.counts(row, "regions"), table.number(row, "covered_area_percent"),
-                     table.number(row, "upper_bound_percent"), table.number(row, "seconds"),
-                     table.count(row, "evaluations")};
+    CoverRow cover{table.counts(row, "regions"), table.number(row, "covered_area_percent"),
+                   table.number(row, "upper_bound_percent"), table.number(row, "seconds"),
+                   table.count(row, "evaluations")};
     for (std::size_t& region : cover.regions) {
       region = place_of(region, run.regions.size(), table.place(row));
     }
@@ -75,6 +88,7 @@ RunData load_run_data(const std::filesystem::path& folder,
               .bundle = load_bundle_scene(folder, scene_file),
               .areas = {},
               .regions = {},
+              .region_addresses = {},
               .seen = {},
               .covers = {},
               .viewpoints = {},
@@ -86,6 +100,8 @@ RunData load_run_data(const std::filesystem::path& folder,
   const CsvTable regions(folder / "regions.csv");
   for (std::size_t row = 0; row < regions.size(); ++row) {
     run.regions.push_back(corners_of(regions, row));
+    run.region_addresses.push_back(
+        region_address(regions, row, row == 0 ? nullptr : &run.region_addresses.back()));
     if (run.regions.back().size() < 3) {
       throw InputError(regions.place(row), "has fewer than 3 corners", "");
     }

@@ -10,7 +10,7 @@
 namespace viewcover {
 
 /// A line of cover.csv: the best set of k regions.
-struct ShownCover {
+struct CoverRow {
   std::vector<std::size_t> regions;  ///< numbers from 0
   double covered_percent = 0, upper_bound_percent = 0;
   double seconds = 0;
@@ -18,21 +18,23 @@ struct ShownCover {
 };
 
 /// A line of viewpoints.csv.
-struct ShownViewpoint {
+struct ViewpointRow {
   Point position = Point::Zero();
   std::size_t region = 0;  ///< number from 0
   double covered_percent = 0, seconds = 0;
 };
 
-/// A finished run as pictures need it, read from its bundle. All numbers count from 0.
+/// A finished run as pictures and comparisons need it, read from its bundle. All numbers count from
+/// 0.
 struct RunData {
   Json record;                ///< run.json
   BundleScene bundle;         ///< the scene and its elements
   std::vector<double> areas;  ///< of the elements, scene units squared
   std::vector<ConvexPolygon> regions;
-  BitRows seen;  ///< #regions x #elements
-  std::vector<ShownCover> covers;
-  std::vector<ShownViewpoint> viewpoints;
+  std::vector<RegionAddress> region_addresses;  ///< ascending
+  BitRows seen;                                 ///< #regions x #elements
+  std::vector<CoverRow> covers;
+  std::vector<ViewpointRow> viewpoints;
   BitRows seen_from_viewpoints;  ///< #viewpoints x #elements
 
   /// The regions of the last set; none if there is no set.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSamples = 3;  // 9 rays a pixel
 
-std::vector<ConvexPolygon> polygons_of(const Scene& scene, const ShownElements& shown) {
+std::vector<ConvexPolygon> polygons_of(const Scene& scene, const CommonElements& shown) {
   std::vector<ConvexPolygon> polygons;
   polygons.reserve(shown.size());
   for (const ElementAddress element : shown.addresses) {
@@ -28,7 +28,7 @@ std::vector<ConvexPolygon> polygons_of(const Scene& scene, const ShownElements& 
 }
 
 /// The elements, none of whose surfaces is between the camera and the region.
-std::vector<ConvexPolygon> uncut(const ShownElements& shown, std::vector<ConvexPolygon> polygons,
+std::vector<ConvexPolygon> uncut(const CommonElements& shown, std::vector<ConvexPolygon> polygons,
                                  std::span<const CutPlane> planes, const Point& camera) {
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     if (planes[shown.addresses[i].owner().value].cuts(camera)) polygons[i].clear();
@@ -91,7 +91,7 @@ void draw_cut_outlines(Image& image, const Scene& scene, std::span<const CutPlan
 
 void draw_viewpoints(Image& image, const RunData& run, const Camera& camera) {
   const double radius = image.size().width / 230.0;
-  for (const ShownViewpoint& viewpoint : run.viewpoints) {
+  for (const ViewpointRow& viewpoint : run.viewpoints) {
     if (const auto place = camera.project(viewpoint.position)) {
       image.draw_dot(*place, radius, kViewpointColour, kInk, radius / 4);
     }
@@ -147,7 +147,7 @@ void remove_pictures(const std::filesystem::path& folder) {
   for (const auto& file : cameras) std::filesystem::remove(file, ignored);
 }
 
-ViewDirection default_view(const RunData& run, const ShownElements& shown, int up_axis) {
+ViewDirection default_view(const RunData& run, const CommonElements& shown, int up_axis) {
   constexpr PixelSize kSize{160, 120};
   constexpr double kStep = 45, kFirst = 235;  // degrees
   const Frame frame = Frame::with_up(up_axis);
@@ -175,7 +175,7 @@ ViewDirection default_view(const RunData& run, const ShownElements& shown, int u
   return best;
 }
 
-void draw_figure(const RunData& run, const ShownElements& shown, const FigureOptions& options,
+void draw_figure(const RunData& run, const CommonElements& shown, const FigureOptions& options,
                  const std::filesystem::path& file) {
   if (options.viewpoint && *options.viewpoint >= run.viewpoints.size()) {
     throw InputError("--camera " + std::to_string(*options.viewpoint + 1),

@@ -20,7 +20,7 @@ struct FigureOptions {
 int up_axis_of(const RunData& run);
 
 /// The direction from which most elements are in sight, of eight from above.
-ViewDirection default_view(const RunData& run, const ShownElements& shown, int up_axis);
+ViewDirection default_view(const RunData& run, const CommonElements& shown, int up_axis);
 
 /// Draws a run in the manner of the paper's figures 6 to 11: elements coloured (`shade`), the
 /// viewing region dark grey, chosen regions medium grey, viewpoints as light dots, outlines of the
@@ -29,7 +29,7 @@ ViewDirection default_view(const RunData& run, const ShownElements& shown, int u
 ///
 /// The same bytes for any number of threads. Errors: InputError for a viewpoint that is not there
 /// and where the file cannot be written.
-void draw_figure(const RunData& run, const ShownElements& shown, const FigureOptions& options,
+void draw_figure(const RunData& run, const CommonElements& shown, const FigureOptions& options,
                  const std::filesystem::path& file);
 
 /// Removes the pictures and the page of an earlier run: figure.png, report.html, camera_N.png.

@@ -85,7 +85,7 @@ Json palette() {
           {"categories", categories}};
 }
 
-void add_scene(const RunData& run, const ShownElements& shown, Json& data) {
+void add_scene(const RunData& run, const CommonElements& shown, Json& data) {
   const Scene& scene = run.bundle.scene;
   std::vector<ConvexPolygon> pieces, surfaces;
   std::vector<std::uint32_t> piece_surface, surface_group;
@@ -120,7 +120,7 @@ void add_results(const RunData& run, Json& data) {
   data["regions"] = encoded_polygons(run.regions);
   data["seen"] = bit_rows(run.seen);
   data["covers"] = Json::array();
-  for (const ShownCover& cover : run.covers) {
+  for (const CoverRow& cover : run.covers) {
     data["covers"].push_back({{"regions", cover.regions},
                               {"covered", cover.covered_percent},
                               {"bound", cover.upper_bound_percent},
@@ -128,7 +128,7 @@ void add_results(const RunData& run, Json& data) {
                               {"evaluations", cover.evaluations}});
   }
   data["viewpoints"] = Json::array();
-  for (const ShownViewpoint& viewpoint : run.viewpoints) {
+  for (const ViewpointRow& viewpoint : run.viewpoints) {
     const Point& p = viewpoint.position;
     data["viewpoints"].push_back({{"position", {p.x(), p.y(), p.z()}},
                                   {"region", viewpoint.region},

@@ -2,15 +2,15 @@
 
 #include <string>
 
+#include "compare/common_elements.h"
 #include "show/camera.h"
-#include "show/difference.h"
 
 namespace viewcover {
 
 /// What a page shows.
 struct PageContent {
   const RunData& run;
-  const ShownElements& shown;
+  const CommonElements& shown;
   const RunData* other = nullptr;    ///< the run it is compared with
   std::string run_name, other_name;  ///< of the two runs, for people; any bytes
   int up_axis = 2;

@@ -23,7 +23,7 @@ double ramp_place(std::uint32_t n, std::uint32_t most) {
   return most <= 1 ? 1.0 : static_cast<double>(n - 1) / static_cast<double>(most - 1);
 }
 
-Shading shade_counts(const std::vector<std::uint32_t>& counts, const ShownElements& shown,
+Shading shade_counts(const std::vector<std::uint32_t>& counts, const CommonElements& shown,
                      std::string title) {
   Shading shading;
   shading.title = std::move(title);
@@ -43,7 +43,7 @@ Shading shade_counts(const std::vector<std::uint32_t>& counts, const ShownElemen
   return shading;
 }
 
-Shading shade_difference(const ShownElements& shown) {
+Shading shade_difference(const CommonElements& shown) {
   if (shown.differences.empty()) {
     throw InputError("--colour-by difference", "there is one run only",
                      "give another with --against DIR2");
@@ -82,7 +82,7 @@ std::string shortened(const std::string& name) {
 }
 
 /// The largest groups have colours of their own, the rest shares one.
-Shading shade_groups(const RunData& run, const ShownElements& shown) {
+Shading shade_groups(const RunData& run, const CommonElements& shown) {
   const Scene& scene = run.bundle.scene;
   std::vector<double> areas(scene.groups.size(), 0);
   for (const Surface& surface : scene.surfaces) {
@@ -109,7 +109,7 @@ Shading shade_groups(const RunData& run, const ShownElements& shown) {
   return shading;
 }
 
-Shading shade_unseen(const RunData& run, const ShownElements& shown) {
+Shading shade_unseen(const RunData& run, const CommonElements& shown) {
   Shading shading;
   shading.title = "regions that see it";
   shading.entries = {{kNeverSeen, "none"}, {kHardlySeen, "1"}, {kUnchanged, "2 or more"}};
@@ -130,7 +130,7 @@ std::optional<ColourBy> colour_by_named(std::string_view name) {
   return static_cast<ColourBy>(found - kNames.begin());
 }
 
-Shading shade(const RunData& run, const ShownElements& shown, ColourBy by) {
+Shading shade(const RunData& run, const CommonElements& shown, ColourBy by) {
   switch (by) {
     case ColourBy::kTimesVisible:
       return shade_counts(run.bundle.times_visible, shown, "regions that see it");

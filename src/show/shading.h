@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/common_elements.h"
 #include "show/colour.h"
-#include "show/difference.h"
 
 namespace viewcover {
 
@@ -39,6 +39,6 @@ struct Shading {
 
 /// Errors: InputError at `--colour-by` for a difference without a second run and for viewpoints
 /// where there are none.
-Shading shade(const RunData& run, const ShownElements& shown, ColourBy by);
+Shading shade(const RunData& run, const CommonElements& shown, ColourBy by);
 
 }  // namespace viewcover

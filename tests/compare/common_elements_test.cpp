@@ -1,10 +1,8 @@
-#include "show/difference.h"
+#include "compare/common_elements.h"
 
 #include <gmock/gmock.h>
 
-#include <random>
-
-#include "made_run.h"
+#include "random_run.h"
 #include "scene/error.h"
 
 namespace viewcover::testing {
@@ -13,59 +11,32 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-using Random = std::mt19937_64;
-
-void subdivide(ElementAddress node, Random& random, std::vector<ElementAddress>& leaves) {
-  if (node.level() == 3 || random() % 3 == 0) {
-    leaves.push_back(node);
-    return;
-  }
-  for (int digit = 0; digit < 4; ++digit) subdivide(node.child(digit), random, leaves);
-}
-
-/// Two surfaces, cut at random; regions see elements at random.
-RunData random_run(Random& random) {
-  RunData run = made_run({level(0, 8, 0, 8, 0), upright(0, 8, 0, 8, 8)}, {"a"},
-                         {level(1, 2, 1, 2, 3), level(2, 3, 1, 2, 3)}, {{}, {}});
-  run.bundle.elements.clear();
-  for (std::size_t surface = 0; surface < 2; ++surface) {
-    subdivide({SurfaceId(surface), 0, 0}, random, run.bundle.elements);
-  }
-  run.seen = BitRows(2, run.bundle.elements.size());
-  for (std::size_t region = 0; region < 2; ++region) {
-    for (std::size_t i = 0; i < run.bundle.elements.size(); ++i) {
-      if (random() % 2 == 0) run.seen.set(region, i);
-    }
-  }
-  return run;
-}
-
-TEST(ShownElements, AreTheCommonRefinementWithWhatTheRunsSay) {
+TEST(CommonElements, AreTheCommonRefinementWithWhatTheRunsSay) {
   std::size_t finer_in_first = 0, finer_in_second = 0, missed = 0, excess = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const RunData first = random_run(random), second = random_run(random);
-    const ShownElements shown = shown_elements(first, second);
+    const CommonElements common = common_elements(first, second, "B");
     std::size_t filled = 0;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      const ElementAddress piece = shown.addresses[i], a = first.bundle.elements[shown.first[i]],
-                           b = second.bundle.elements[shown.second[i]];
+    for (std::size_t i = 0; i < common.size(); ++i) {
+      const ElementAddress piece = common.addresses[i], a = first.bundle.elements[common.first[i]],
+                           b = second.bundle.elements[common.second[i]];
       ASSERT_TRUE(a.contains(piece) && b.contains(piece));
       ASSERT_TRUE(piece == a || piece == b);
-      ASSERT_TRUE(i == 0 || shown.addresses[i - 1] < piece);
+      ASSERT_TRUE(i == 0 || common.addresses[i - 1] < piece);
       filled += std::size_t{64} >> (2 * piece.level());
       finer_in_first += a != b && piece == a;
       finer_in_second += a != b && piece == b;
       Difference expected;
       for (std::size_t region = 0; region < 2; ++region) {
-        const bool in_first = first.seen.test(region, shown.first[i]),
-                   in_second = second.seen.test(region, shown.second[i]);
+        const bool in_first = first.seen.test(region, common.first[i]),
+                   in_second = second.seen.test(region, common.second[i]);
         expected.missed += in_first && !in_second;
         expected.excess += !in_first && in_second;
       }
-      ASSERT_EQ(shown.differences[i].missed, expected.missed);
-      ASSERT_EQ(shown.differences[i].excess, expected.excess);
+      ASSERT_EQ(common.differences[i].missed, expected.missed);
+      ASSERT_EQ(common.differences[i].excess, expected.excess);
       missed += expected.missed;
       excess += expected.excess;
     }
@@ -77,13 +48,13 @@ TEST(ShownElements, AreTheCommonRefinementWithWhatTheRunsSay) {
   EXPECT_GT(excess, 100u);
 }
 
-TEST(ShownElements, RefuseRunsOfOtherRegionsAndScenes) {
+TEST(CommonElements, RefuseRunsOfOtherRegionsAndScenes) {
   const RunData run = made_run({level(0, 1, 0, 1, 0)}, {"a"}, {level(0, 1, 0, 1, 1)}, {{0}}),
                 region = made_run({level(0, 1, 0, 1, 0)}, {"a"}, {level(0, 1, 0, 1, 2)}, {{0}}),
                 scene = made_run({level(0, 2, 0, 1, 0)}, {"a"}, {level(0, 1, 0, 1, 1)}, {{0}});
-  EXPECT_THAT([&] { shown_elements(run, region); },
-              ThrowsMessage<InputError>(HasSubstr("different regions")));
-  EXPECT_THAT([&] { shown_elements(run, scene); },
+  EXPECT_THAT([&] { common_elements(run, region, "B"); },
+              ThrowsMessage<InputError>(HasSubstr("B: the runs have different regions")));
+  EXPECT_THAT([&] { common_elements(run, scene, "B"); },
               ThrowsMessage<InputError>(HasSubstr("different scenes")));
 }
 

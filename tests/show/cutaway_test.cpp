@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "made_run.h"
+#include "support/made_run.h"
 
 namespace viewcover::testing {
 namespace {

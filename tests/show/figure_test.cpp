@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
-#include "made_run.h"
+#include "read_picture.h"
 #include "scene/error.h"
 #include "scene/scratch_folder.h"
 #include "show/raster.h"
+#include "support/made_run.h"
 #include "support/process.h"
 
 namespace viewcover::testing {
@@ -68,7 +69,7 @@ FigureOptions small_figure() {
 TEST(Figure, HalfOfTheWallIsBlackAndHalfIsNot) {
   const ScratchFolder folder;
   const RunData run = half_seen_wall();
-  draw_figure(run, shown_elements(run), small_figure(), folder.path() / "figure.png");
+  draw_figure(run, common_elements(run), small_figure(), folder.path() / "figure.png");
   const ReadPicture picture(folder.path() / "figure.png");
   EXPECT_EQ(picture.width(), 400);
   EXPECT_EQ(picture.height(), 400);
@@ -95,7 +96,7 @@ TEST(Figure, ThreadsChangeNoByte) {
   const RunData run = half_seen_wall();
   const auto draw = [&](std::size_t threads, const std::string& name) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    draw_figure(run, shown_elements(run), small_figure(), folder.path() / name);
+    draw_figure(run, common_elements(run), small_figure(), folder.path() / name);
     return read_file(folder.path() / name);
   };
   const std::string one = draw(1, "one.png");
@@ -108,8 +109,9 @@ TEST(Figure, RefusesAViewpointThatIsNotThere) {
   const RunData run = half_seen_wall();
   FigureOptions options = small_figure();
   options.viewpoint = 0;
-  EXPECT_THAT([&] { draw_figure(run, shown_elements(run), options, folder.path() / "camera.png"); },
-              ThrowsMessage<InputError>(HasSubstr("--camera 1: there are 0 viewpoints")));
+  EXPECT_THAT(
+      [&] { draw_figure(run, common_elements(run), options, folder.path() / "camera.png"); },
+      ThrowsMessage<InputError>(HasSubstr("--camera 1: there are 0 viewpoints")));
 }
 
 TEST(Camera, ProjectsWhereItLooks) {

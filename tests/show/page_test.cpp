@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "made_run.h"
 #include "scene/error.h"
 #include "scene/scratch_folder.h"
 #include "show/shading.h"
+#include "support/made_run.h"
 #include "support/process.h"
 
 namespace viewcover::testing {
@@ -30,7 +30,7 @@ RunData hostile_run() {
                   {{0, 1, 5}, {1, 2}});
 }
 
-PageContent content_of(const RunData& run, const ShownElements& shown) {
+PageContent content_of(const RunData& run, const CommonElements& shown) {
   return {run, shown, nullptr, kHostile[0], {}, 2, {}};
 }
 
@@ -51,7 +51,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 
 TEST(PageData, HoldsNoMarkupAndGivesNamesBack) {
   const RunData run = hostile_run();
-  const std::string data = page_data(content_of(run, shown_elements(run)));
+  const std::string data = page_data(content_of(run, common_elements(run)));
   EXPECT_THAT(data, Not(HasSubstr("<")));
   EXPECT_TRUE(std::ranges::all_of(data, [](char c) { return c >= ' ' && c <= '~'; }));
   const Json json = Json::parse(data);
@@ -62,7 +62,7 @@ TEST(PageData, HoldsNoMarkupAndGivesNamesBack) {
 
 TEST(PageData, EncodesNumbersAndBitRows) {
   const RunData run = hostile_run();
-  const Json json = Json::parse(page_data(content_of(run, shown_elements(run))));
+  const Json json = Json::parse(page_data(content_of(run, common_elements(run))));
   // 0b100011 and 0b000110; 1, 2, 1, 0, 0, 1 as 32 bits each.
   EXPECT_EQ(json.at("seen").at("bits"), "IwY=");
   EXPECT_EQ(json.at("times_visible"), "AQAAAAIAAAABAAAAAAAAAAAAAAABAAAA");
@@ -72,7 +72,7 @@ TEST(PageData, EncodesNumbersAndBitRows) {
 TEST(Page, HasNoMoreScriptsThanItsOwn) {
   const ScratchFolder folder;
   const RunData run = hostile_run();
-  write_page(content_of(run, shown_elements(run)), folder.path() / "report.html",
+  write_page(content_of(run, common_elements(run)), folder.path() / "report.html",
              made_three(folder));
   const std::string page = read_file(folder.path() / "report.html");
   EXPECT_EQ(occurrences(page, "<script"), 4u);
@@ -88,7 +88,7 @@ TEST(Page, SaysWhatToInstall) {
   const RunData run = hostile_run();
   EXPECT_THAT(
       [&] {
-        write_page(content_of(run, shown_elements(run)), folder.path() / "report.html",
+        write_page(content_of(run, common_elements(run)), folder.path() / "report.html",
                    folder.path());
       },
       ThrowsMessage<InputError>(HasSubstr("libjs-three")));
@@ -97,7 +97,7 @@ TEST(Page, SaysWhatToInstall) {
 
 TEST(Shading, BlackIsForNeverAndLightnessGrowsWithTheCount) {
   const RunData run = hostile_run();
-  const Shading shading = shade(run, shown_elements(run), ColourBy::kTimesVisible);
+  const Shading shading = shade(run, common_elements(run), ColourBy::kTimesVisible);
   EXPECT_THAT(shading.colours,
               ElementsAre(ramp(0), ramp(1), ramp(0), kNeverSeen, kNeverSeen, ramp(0)));
   const auto lightness = [](Colour c) {
@@ -111,9 +111,9 @@ TEST(Shading, BlackIsForNeverAndLightnessGrowsWithTheCount) {
 
 TEST(Shading, RefusesWhatTheRunHasNot) {
   const RunData run = hostile_run();
-  EXPECT_THAT([&] { shade(run, shown_elements(run), ColourBy::kDifference); },
+  EXPECT_THAT([&] { shade(run, common_elements(run), ColourBy::kDifference); },
               ThrowsMessage<InputError>(HasSubstr("--against")));
-  EXPECT_THAT([&] { shade(run, shown_elements(run), ColourBy::kViewpoints); },
+  EXPECT_THAT([&] { shade(run, common_elements(run), ColourBy::kViewpoints); },
               ThrowsMessage<InputError>(HasSubstr("has none")));
 }
 

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cairo.h>
+#include <string>
+#include <vector>
 
-#include <filesystem>
-#include <stdexcept>
-
-#include "show/run_data.h"
+#include "report/run_data.h"
 
 namespace viewcover::testing {
 
@@ -31,8 +29,9 @@ inline RunData made_run(const std::vector<ConvexPolygon>& surfaces,
     run.areas.push_back(area(surfaces[i]));
   }
   run.regions = regions;
+  for (std::size_t i = 0; i < regions.size(); ++i) run.region_addresses.emplace_back(PartId(i));
   run.seen = BitRows(regions.size(), surfaces.size());
-  ShownCover all;
+  CoverRow all;
   for (std::size_t region = 0; region < regions.size(); ++region) {
     for (const std::size_t element : seen.at(region)) run.seen.set(region, element);
     all.regions.push_back(region);
@@ -42,40 +41,6 @@ inline RunData made_run(const std::vector<ConvexPolygon>& surfaces,
   run.seen_from_viewpoints = BitRows(0, surfaces.size());
   return run;
 }
-
-/// A PNG file, 24 bits a pixel.
-class ReadPicture {
- public:
-  explicit ReadPicture(const std::filesystem::path& file)
-      : surface_(cairo_image_surface_create_from_png(file.string().c_str())) {
-    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) {
-      throw std::runtime_error(file.string() + " is no PNG file");
-    }
-  }
-  ~ReadPicture() { cairo_surface_destroy(surface_); }
-  ReadPicture(const ReadPicture&) = delete;
-  ReadPicture& operator=(const ReadPicture&) = delete;
-
-  int width() const { return cairo_image_surface_get_width(surface_); }
-  int height() const { return cairo_image_surface_get_height(surface_); }
-  /// 0xRRGGBB.
-  std::uint32_t pixel(int x, int y) const {
-    const auto* row = cairo_image_surface_get_data(surface_) +
-                      static_cast<std::ptrdiff_t>(y) * cairo_image_surface_get_stride(surface_);
-    return reinterpret_cast<const std::uint32_t*>(row)[x] & 0xFFFFFF;
-  }
-  template <class Test>
-  int count(Test&& test) const {
-    int number = 0;
-    for (int y = 0; y < height(); ++y) {
-      for (int x = 0; x < width(); ++x) number += test(pixel(x, y)) ? 1 : 0;
-    }
-    return number;
-  }
-
- private:
-  cairo_surface_t* surface_;
-};
 
 /// [x0, x1] x [z0, z1] at y, front towards smaller y.
 inline ConvexPolygon upright(double x0, double x1, double z0, double z1, double y) {
