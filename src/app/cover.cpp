@@ -15,6 +15,7 @@
 #include "optim/cover_file.h"
 #include "optim/cover_methods.h"
 #include "optim/cover_proof.h"
+#include "optim/simulated_annealing.h"
 #include "optim/stopwatch.h"
 #include "report/file_writer.h"
 #include "report/run_record.h"
@@ -25,7 +26,7 @@ namespace {
 
 struct CoverText {
   CommonOptions common;
-  std::string matrix, format, weights, method = "exact", k, time_limit, proof, solutions;
+  std::string matrix, format, weights, method = "exact", k, time_limit, proof, solutions, annealing;
 };
 
 struct FormatName {
@@ -49,6 +50,40 @@ CoverFormat format_of(const CoverText& text) {
   return std::ranges::find(kFormats, text.format, &FormatName::name)->format;
 }
 
+/// "rounds=24,cooling=0.9": a number for each name given, the others by default.
+AnnealingSchedule schedule_of(std::string_view text) {
+  constexpr std::string_view kOption = "--annealing";
+  AnnealingSchedule schedule;
+  while (!text.empty()) {
+    const std::string_view entry = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), entry.size() + 1));
+    const std::size_t equals = entry.find('=');
+    const std::string_view name = entry.substr(0, equals),
+                           value = equals == std::string_view::npos ? "" : entry.substr(equals + 1);
+    if (name == "rounds") {
+      schedule.rounds = integer_option(kOption, value, 1, 1'000'000);
+    } else if (name == "levels") {
+      schedule.levels = integer_option(kOption, value, 1, 1'000'000);
+    } else if (name == "cooling") {
+      schedule.cooling = number_option(kOption, value, 0, 1);
+    } else if (name == "temperature") {
+      schedule.temperature = non_negative_option(kOption, value);
+    } else {
+      throw InputError(kOption, "\"" + std::string(entry) + "\" is none of the schedule's numbers",
+                       "give rounds=N, levels=N, cooling=F or temperature=F, separated by commas");
+    }
+  }
+  return schedule;
+}
+
+std::unique_ptr<CoverMethod> method_of(const CoverText& text) {
+  if (text.annealing.empty()) return make_cover_method(text.method);
+  if (text.method != SimulatedAnnealing().name()) {
+    throw InputError("--annealing", "is the schedule of sa", "use --method sa");
+  }
+  return std::make_unique<SimulatedAnnealing>(schedule_of(text.annealing));
+}
+
 struct CoverQuestion {
   BitRows matrix;
   std::vector<double> weights;
@@ -60,7 +95,7 @@ struct CoverQuestion {
   explicit CoverQuestion(const CoverText& text) : proof_file(text.proof) {
     if (text.matrix.empty()) throw InputError("MATRIX", "is missing", "give a file");
     require_available("--method", text.method, names_of(cover_methods()));
-    method = make_cover_method(text.method);
+    method = method_of(text);
     options.goal = text.k.empty() ? CoverGoal::kWholeCover : CoverGoal::kOneK;
     if (!text.k.empty()) options.k = count_option("--k", text.k, 1, UINT32_MAX);
     if (!text.time_limit.empty()) {
@@ -188,6 +223,9 @@ void add_cover_command(CLI::App& app, int& exit_code) {
          "NAME");
   option("--weights", text->weights, "a number for each thing to cover (default: 1)", "FILE");
   option("--method", text->method, alternatives(methods) + " (default: exact)", "NAME");
+  option("--annealing", text->annealing,
+         "the schedule of sa, default rounds=12,levels=30,cooling=0.8,temperature=0.02",
+         "NAME=VALUE,...");
   option("--k", text->k, "cover as much weight as possible with K choices instead", "K");
   option("--time-limit", text->time_limit,
          "seconds; then the best so far, exit code 1 if not proved", "S");

@@ -10,19 +10,9 @@ namespace {
 
 using Benefit = CoverState::Benefit;
 
-/// Rounds of annealing for each k. Later rounds start from the best set so far, cooler and with
-/// smaller changes; every third one starts hot again, from a random set, against a bad start.
-constexpr int kRounds = 12;
 constexpr int kRoundsBetweenRestarts = 3;
 /// Rounds for numbers of rows that the lower bound excludes: no cover can be missed there.
 constexpr int kRoundsBelowBound = 4;
-/// Temperature levels a round; the temperature falls by kCooling from one to the next, by a factor
-/// of 1000 over the round: from differences between whole rows to single elements.
-constexpr int kLevels = 30;
-constexpr double kCooling = 0.8;
-/// First temperature of a run, as a share of the total weight: exchanges near the optimum change
-/// the coverage by a few tenths of a percent to a few percent (paper, table 2).
-constexpr double kFirstTemperature = 0.02;
 /// What a round's first temperature and first magnitude keep of those of the round before.
 constexpr double kReheat = 0.5;
 /// Proposals a level: a fixed part, and every row about once for each of the k places at most.
@@ -48,8 +38,9 @@ double acceptance(double x) {
 /// The search for one number of rows.
 class Annealing {
  public:
-  Annealing(CoverState& state, RandomNumbers& random, SearchLimits& limits)
-      : state_(state), random_(random), limits_(limits) {
+  Annealing(const AnnealingSchedule& schedule, CoverState& state, RandomNumbers& random,
+            SearchLimits& limits)
+      : schedule_(schedule), state_(state), random_(random), limits_(limits) {
     start_from(state.chosen());
     keep_if_best();
   }
@@ -60,13 +51,13 @@ class Annealing {
     local_search();
     // All sets of one row are exchanges of one row: the local search has seen them.
     if (vector_.size() == 1) return;
-    double first_temperature = kFirstTemperature * static_cast<double>(state_.total());
+    double first_temperature = schedule_.temperature * static_cast<double>(state_.total());
     double first_magnitude = largest_magnitude();
     for (int round = 0; round < rounds && best_benefit_ < upper_bound; ++round) {
       if (limits_.expired()) return;
       if (round > 0 && round % kRoundsBetweenRestarts == 0) {
         start_anywhere();
-        first_temperature = kFirstTemperature * static_cast<double>(state_.total());
+        first_temperature = schedule_.temperature * static_cast<double>(state_.total());
         first_magnitude = largest_magnitude();
       } else {
         start_from(best_);
@@ -119,14 +110,14 @@ class Annealing {
   void anneal(double temperature, double magnitude) {
     const std::size_t proposals =
         kProposalsPerLevel + kProposalsPerLevelAndRow * state_.row_count();
-    for (int level = 0; level < kLevels; ++level) {
+    for (int level = 0; level < schedule_.levels; ++level) {
       for (std::size_t proposal = 0; proposal < proposals; ++proposal) {
         if (proposal % kProposalsPerLook == 0 && limits_.expired()) return;
         propose(temperature, magnitude);
         if (state_.covers_all()) return;
       }
-      temperature *= kCooling;
-      magnitude = std::max(1.0, magnitude * kCooling);
+      temperature *= schedule_.cooling;
+      magnitude = std::max(1.0, magnitude * schedule_.cooling);
     }
   }
 
@@ -184,6 +175,7 @@ class Annealing {
     }
   }
 
+  const AnnealingSchedule& schedule_;
   CoverState& state_;
   RandomNumbers& random_;
   SearchLimits& limits_;
@@ -200,12 +192,15 @@ class Annealing {
 RegionCover SimulatedAnnealing::solve(const CoverInstance& instance,
                                       const CoverOptions& options) const {
   RandomNumbers random(options.seed);
-  return grow_cover(
-      instance, options, [&](CoverState& state, const GrowthStage& stage, SearchLimits& limits) {
-        Annealing annealing(state, random, limits);
-        annealing.run(stage.k < stage.lower_bound ? kRoundsBelowBound : kRounds, stage.upper_bound);
-        state.assign(annealing.best());
-      });
+  return grow_cover(instance, options,
+                    [&](CoverState& state, const GrowthStage& stage, SearchLimits& limits) {
+                      Annealing annealing(schedule_, state, random, limits);
+                      const int rounds = stage.k < stage.lower_bound
+                                             ? std::min(kRoundsBelowBound, schedule_.rounds)
+                                             : schedule_.rounds;
+                      annealing.run(rounds, stage.upper_bound);
+                      state.assign(annealing.best());
+                    });
 }
 
 }  // namespace viewcover

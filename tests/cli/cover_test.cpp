@@ -56,6 +56,38 @@ TEST_F(Cover, IsProvedByDefault) {
   EXPECT_TRUE(json.contains("evaluations"));
 }
 
+TEST_F(Cover, AnnealingTakesAScheduleAndRefusesOthers) {
+  // 60 choices of a few out of 150 things: annealing has work to do.
+  RandomNumbers random(1);
+  std::ostringstream matrix;
+  matrix << "%%MatrixMarket matrix coordinate pattern general\n60 150 720\n";
+  for (int choice = 1; choice <= 60; ++choice) {
+    for (int i = 0; i < 12; ++i) matrix << choice << ' ' << 1 + random.below(150) << '\n';
+  }
+  const std::string m = file("m.mtx", matrix.str());
+  const auto annealed = [&](const std::string& schedule) {
+    return ask({m, "--method", "sa", "--annealing", schedule});
+  };
+  const auto evaluations = [](const Json& json) { return json.at("evaluations").get<double>(); };
+  const Json usual = ask({m, "--method", "sa"}),
+             named = annealed("rounds=12,levels=30,cooling=0.8,temperature=0.02");
+  EXPECT_EQ(usual.at("chosen"), named.at("chosen"));
+  EXPECT_EQ(evaluations(usual), evaluations(named));
+  EXPECT_LT(evaluations(annealed("levels=3")), evaluations(usual));
+  EXPECT_GT(evaluations(annealed("levels=90")), evaluations(usual));
+  EXPECT_NE(evaluations(annealed("temperature=0.5")), evaluations(usual));
+  EXPECT_NE(evaluations(annealed("cooling=0.5")), evaluations(usual));
+
+  const auto refused = [&](const std::string& schedule) {
+    return complaint({m, "--method", "sa", "--annealing", schedule});
+  };
+  EXPECT_THAT(refused("speed=1"), HasSubstr("--annealing: \"speed=1\" is none of the schedule's"));
+  for (const char* bad : {"rounds", "rounds=", "rounds=0", "levels=x", "cooling=1.5", ","}) {
+    EXPECT_THAT(refused(bad), HasSubstr("--annealing: ")) << bad;
+  }
+  EXPECT_THAT(complaint({m, "--annealing", "rounds=1"}), HasSubstr("use --method sa"));
+}
+
 TEST_F(Cover, EveryMethodAndFormatAgrees) {
   for (const char* method : {"exact", "local", "sa", "tabu", "greedy"}) {
     const Json json = ask({file("m.txt", kScp), "--format", "scp", "--method", method});
