@@ -117,6 +117,7 @@ std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const R
     full.missed_share = options.missed_share;
     full.seed = options.seed;
     full.close_gap_seconds = options.close_gap_seconds.value_or(0);
+    if (options.close_gap_seconds == 0) full.patience = 0;
     if (options.time_limit_seconds > 0) {
       full.time_limit_seconds =
           std::max(options.time_limit_seconds - seconds_used - watch.seconds(), kLeastTimeLimit);
