@@ -34,7 +34,7 @@ class CoverProver {
       CoverTree tree(component.incidence, covers_[i], limits_);
       search(tree, i);
       result.nodes += tree.node_count();
-      append_proof(result.proof, tree, component);
+      append_component(result.proof, tree, component);
     }
     result.rows = rows();
     result.proof.lower_bound = bound();
@@ -103,20 +103,6 @@ class CoverProver {
     return std::accumulate(bounds_.begin(), bounds_.end(), reduction_.taken.size());
   }
 
-  /// The component's rows and columns take the place of numbers along them.
-  static void append_proof(CoverProof& proof, const CoverTree& tree,
-                           const CoverComponent& component) {
-    const std::size_t first_dual = proof.duals.size();
-    std::vector<CoverProof::Node> nodes = tree.proof(proof.duals);
-    for (std::size_t dual = first_dual; dual < proof.duals.size(); ++dual) {
-      for (auto& [column, price] : proof.duals[dual].prices) column = component.columns[column];
-    }
-    for (CoverProof::Node& node : nodes) {
-      for (std::uint32_t& row : node.rows) row = component.rows[row];
-    }
-    proof.components.push_back({component.rows, tree.bound(), std::move(nodes)});
-  }
-
   SearchLimits& limits_;
   const CoverOptions& options_;
   Reduction reduction_;
@@ -129,6 +115,19 @@ class CoverProver {
 
 ProvedCover prove_cover(const BitRows& matrix, SearchLimits& limits, const CoverOptions& options) {
   return CoverProver(matrix, limits, options).run();
+}
+
+// The component's rows and columns take the place of numbers along them.
+void append_component(CoverProof& proof, const CoverTree& tree, const CoverComponent& component) {
+  const std::size_t first_dual = proof.duals.size();
+  std::vector<CoverProof::Node> nodes = tree.proof(proof.duals);
+  for (std::size_t dual = first_dual; dual < proof.duals.size(); ++dual) {
+    for (auto& [column, price] : proof.duals[dual].prices) column = component.columns[column];
+  }
+  for (CoverProof::Node& node : nodes) {
+    for (std::uint32_t& row : node.rows) row = component.rows[row];
+  }
+  proof.components.push_back({component.rows, tree.bound(), std::move(nodes)});
 }
 
 }  // namespace viewcover

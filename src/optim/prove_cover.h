@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "optim/cover_proof.h"
+#include "optim/cover_tree.h"
+#include "optim/reductions.h"
 #include "optim/region_cover.h"
 #include "optim/search_limits.h"
 
@@ -20,5 +22,9 @@ struct ProvedCover {
 /// (optim/cover_tree.h) with local search beside it. Calls on_better and on_bound of the options.
 /// Deterministic unless a limit strikes. Errors: Interrupted.
 ProvedCover prove_cover(const BitRows& matrix, SearchLimits& limits, const CoverOptions& options);
+
+/// Adds what a tree proves of its component to the proof of a whole cover; lower_bound and steps of
+/// the proof are the caller's.
+void append_component(CoverProof& proof, const CoverTree& tree, const CoverComponent& component);
 
 }  // namespace viewcover

@@ -6,6 +6,7 @@
 #include "optim/cover_tree.h"
 #include "optim/heuristic_cover.h"
 #include "optim/incidence.h"
+#include "optim/prove_cover.h"
 #include "optim/reductions.h"
 
 namespace viewcover {
@@ -32,7 +33,7 @@ PoolCover cover_pool(const BitRows& rows, const PoolCoverEffort& effort, std::ui
                      SearchLimits& limits) {
   PoolCover cover;
   cover.prices.assign(rows.columns(), 0.0);
-  const Reduction reduction = reduce_cover(rows);
+  Reduction reduction = reduce_cover(rows);
   for (const ReductionStep& step : reduction.steps) {
     if (step.kind == ReductionStep::Kind::kTake) cover.prices[step.reason] = 1;
   }
@@ -48,9 +49,12 @@ PoolCover cover_pool(const BitRows& rows, const PoolCoverEffort& effort, std::ui
       tree.search({.nodes = effort.nodes});
     }
     cover.lower_bound += tree.bound();
+    if (effort.proof) append_component(cover.proof, tree, component);
     for (const std::uint32_t row : tree.best()) cover.chosen.push_back(component.rows[row]);
   }
   std::ranges::sort(cover.chosen);
+  cover.proof.lower_bound = cover.lower_bound;
+  cover.proof.steps = std::move(reduction.steps);
   for (const double price : cover.prices) cover.relaxation += price;
   return cover;
 }

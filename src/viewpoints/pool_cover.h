@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "links/bit_rows.h"
+#include "optim/cover_proof.h"
 #include "optim/search_limits.h"
 
 namespace viewcover {
@@ -21,12 +22,15 @@ struct PoolCover {
   /// generation; here the columns of the programme are rows).
   std::vector<double> prices;
   double relaxation = 0;  ///< the sum of the prices
+  /// Of lower_bound, if it was asked for.
+  CoverProof proof;
 };
 
 /// How hard a smallest cover is looked for, in each component.
 struct PoolCoverEffort {
   std::size_t nodes = 500;             ///< of branch and bound
   std::uint64_t patience = 3'000'000;  ///< of local search, where that many do not end
+  bool proof = false;                  ///< keep the proof; for canonical rows (CoverInstance::rows)
 };
 
 /// Reductions, the linear programme, branch and bound, with a local search where that does not end.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "optim/exact_cover.h"
+#include "optim/region_cover.h"
 #include "viewpoints/column_bits.h"
 #include "viewpoints/pool_cover.h"
 
@@ -80,16 +80,13 @@ BitRows BoundRefinement::rows() const {
 }
 
 void BoundRefinement::keep_proof(const BitRows& rows) {
-  CoverOptions options;
-  options.goal = CoverGoal::kWholeCover;
-  options.seed = seed_;
-  // 0 would be none.
-  options.time_limit_seconds = std::max(limits_.seconds_left(), 1e-3);
-  const CoverInstance instance(rows, std::vector<double>(rows.columns(), 1.0));
-  const RegionCover proved = ExactCover().solve(instance, options);
-  if (proved.lower_bound <= bound_.lower_bound) return;
-  bound_.lower_bound = proved.lower_bound;
-  bound_.proof = proved.proof;
+  const CoverInstance canonical(rows, std::vector<double>(rows.columns(), 1.0));
+  PoolCoverEffort effort = effort_;
+  effort.proof = true;
+  PoolCover cover = cover_pool(canonical.rows(), effort, seed_, limits_);
+  if (cover.lower_bound <= bound_.lower_bound) return;
+  bound_.lower_bound = cover.lower_bound;
+  bound_.proof = std::make_shared<const CoverProof>(std::move(cover.proof));
   bound_.seen = rows;
   bound_.cells.clear();
   for (const RegionCell& cell : cells_) bound_.cells.push_back(cell.address);
