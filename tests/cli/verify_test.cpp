@@ -262,8 +262,8 @@ class VerifyFullCoverage : public Verify {
   void SetUp() override {
     const auto plan =
         folder_.write("plan.txt",
-                      "0 0\n12 0\n12 1\n10 1\n10 9\n9 9\n9 1\n6 1\n6 9\n5 9\n5 1\n2 1\n"
-                      "2 9\n1 9\n1 1\n0 1\n");
+                      "0 0\n12 0\n12 1\n11 1\n11 4\n9 4\n9 1\n7 1\n7 4\n5 4\n5 1\n3 1\n"
+                      "3 4\n1 4\n1 1\n0 1\n");
     const std::string scene = (folder_.path() / "scene.obj").string();
     ASSERT_EQ(viewcover_run({"generate", "gallery", plan.string(), "--height", "2", "-o", scene})
                   .exit_code,
