@@ -102,11 +102,19 @@ def bundle(job):
 
 
 def cover(run, *, method="exact", seed=1, **options):
-    """A cover of the visibility matrix of a run."""
-    words = ("cover", bundle(run) + "/visibility.mtx", "--method", method, *option_words(options), "--seed", text(seed), "--threads", "1",
-             "--quiet")
+    """A cover of the visibility matrix of a run; if exact, with its proof."""
+    proof = ("--proof", "{folder}/cover.proof") if method == "exact" else ()
+    words = ("cover", bundle(run) + "/visibility.mtx", "--method", method, *option_words(options), *proof, "--seed", text(seed), "--threads",
+             "1", "--quiet")
     return Job(key_of("cover", method, **options, seed=seed) + "@" + run.key, "cover", words, (run,), seed,
                (*run.labels, ("method", method), *options.items()))
+
+
+def proof(exact_cover):
+    """Whether the proof of an exact cover holds."""
+    run, = exact_cover.needs
+    return Job("proof-" + exact_cover.key, "proof", ("check_proof.py", bundle(run) + "/visibility.mtx", f"{{{exact_cover.key}}}/cover.proof"),
+               (exact_cover, run), exact_cover.seed, exact_cover.labels, script=True)
 
 
 def compare(judged, reference):

@@ -8,6 +8,9 @@ def check(rows, config, require):
     exact = {key: rows[cover.key]["result"] for key, cover in plan.exact_covers(config).items() if not rows[cover.key]["failure"]}
     for key, result in exact.items():
         require(result["lower_bound"] <= result["size"], f"{plan.exact_covers(config)[key].key}: bound {result['lower_bound']} above {result['size']}")
+    for job in plan.proofs(config).values():
+        row = rows[job.key]
+        require(row["failure"] or row["result"]["holds"], f"{job.key}: {(row['result'] or {}).get('says')}")
     tried = [(key[:3], job) for key, job in plan.covers(config).items()]
     regions = config.get("sweep_regions", config["regions"][-1])
     tried += [((key[0], "rays", regions), job) for key, job in plan.sweep(config).items()]

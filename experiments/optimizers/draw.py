@@ -27,16 +27,16 @@ def draw(rows, config, folder, work):
         row = rows[cover.key]
         if row["failure"]:
             continue
-        exact = row["result"]
+        exact, proof = row["result"], rows[plan.proofs(config)[key].key]["result"]
         sizes[key] = exact["size"]
-        line = [*key, exact["size"], "yes" if exact["proved"] else f"no, ≥ {exact['lower_bound']}", tables.number(exact["seconds"])]
+        line = [*key, exact["size"], "yes" if exact["proved"] else f"no, ≥ {exact['lower_bound']}", "holds" if proof else "", tables.number(exact["seconds"])]
         for method in plan.METHODS:
             result = outcome([rows[job.key] for asked, job in covers.items() if asked[:4] == (*key, method)], exact["size"])
             line.append(shown(result))
             success[method].append(100 * result[0] / result[1] if result else 0)
         lines.append(line)
     tables.write(folder / "optimizers", f"Fewest regions by each optimizer: seeds that found the optimum, mean regions, mean seconds until its best was there. One "
-                 f"thread; local is stopped after {config['local_seconds']} s.", ["scene", "backend", "regions", "optimum", "proved", "exact, s", *plan.METHODS], lines)
+                 f"thread; local is stopped after {config['local_seconds']} s.", ["scene", "backend", "regions", "optimum", "proved", "proof", "exact, s", *plan.METHODS], lines)
     annealing(rows, config, sizes, folder)
     figure, ax = figures.axes("", "seeds that found the optimum, %")
     width = 0.8 / len(plan.METHODS)

@@ -14,6 +14,10 @@ def exact_covers(config):
     return {key: lab.cover(run, method="exact") for key, run in runs(config).items()}
 
 
+def proofs(config):
+    return {key: lab.proof(cover) for key, cover in exact_covers(config).items()}
+
+
 def covers(config):
     """{(scene, backend, regions, method, seed): cover}"""
     made = {}
@@ -39,7 +43,7 @@ def sweep(config):
 
 def jobs(config, notes):
     found = covers(config)
-    return [*runs(config).values(), *exact_covers(config).values(), *found.values(), *sweep(config).values(),
+    return [*runs(config).values(), *exact_covers(config).values(), *proofs(config).values(), *found.values(), *sweep(config).values(),
             next(job for key, job in found.items() if key[3] == "tabu").again()]  # no time limit
 
 
