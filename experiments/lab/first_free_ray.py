@@ -1,7 +1,7 @@
-"""first_free_ray.py PROGRAM DIR OCCLUDERS QUERIES MOST SEED: how many random rays a visible pair takes before one is free.
+"""first_free_ray.py PROGRAM DIR OCCLUDERS QUERIES MOST WIDTH SEED: how many random rays a visible pair takes before one is free.
 
-Two unit squares a unit apart, random triangles between them (corners uniform in a ball of diameter 0.2 around a uniform centre in the
-unit cube). Each query is asked exactly, and if visible, with 1, 2, 4, ... rays until one is free. Prints one JSON object: queries by kind, and of
+Two unit squares a unit apart, random triangles between them: corners uniform in a box WIDTH wide and long and 0.2 high round a centre that is
+uniform in the cube, at least 0.2 from the squares. A line from square to square is free of n of them with probability about exp(-0.076 n WIDTH^2). Each query is asked exactly, and if visible, with 1, 2, 4, ... rays until one is free. Prints one JSON object: queries by kind, and of
 the visible ones the least such number of rays, sorted; null where not even MOST rays found a free one.
 """
 import json
@@ -10,11 +10,11 @@ import subprocess
 import sys
 
 
-def query(number, occluders, numbers):
+def query(number, occluders, width, numbers):
     triangles = []
     for _ in range(occluders):
-        centre = [numbers.random(), numbers.random(), 0.1 + 0.8 * numbers.random()]
-        triangles.append([[x + 0.2 * (numbers.random() - 0.5) for x in centre] for _ in range(3)])
+        centre = [numbers.random(), numbers.random(), 0.2 + 0.6 * numbers.random()]
+        triangles.append([[x + size * (numbers.random() - 0.5) for x, size in zip(centre, (width, width, 0.2))] for _ in range(3)])
     return {"id": number, "region": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "element": [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]],
             "occluders": triangles}
 
@@ -26,9 +26,9 @@ def answers(program, queries, *options):
 
 
 def main():
-    program, folder, occluders, count, most, seed = sys.argv[1:]
+    program, folder, occluders, count, most, width, seed = sys.argv[1:]
     numbers = random.Random(int(seed) * 1_000_003 + int(occluders))
-    queries = [query(i + 1, int(occluders), numbers) for i in range(int(count))]
+    queries = [query(i + 1, int(occluders), float(width), numbers) for i in range(int(count))]
     exact = answers(program, queries)
     open_queries = [one for one, answer in zip(queries, exact) if answer["visible"]]
     visible, found, rays = len(open_queries), [], 1

@@ -43,7 +43,7 @@ def draw(rows, config, folder, work):
     for i, method in enumerate(plan.METHODS):
         ax.bar([place + i * width for place in range(len(sizes))], success[method], width, label=method, color=figures.COLOURS[i])
     ax.set_xticks([place + 0.3 for place in range(len(sizes))], [" ".join(map(str, key)) for key in sizes], rotation=60, ha="right", fontsize=7)
-    ax.legend(fontsize=8)
+    ax.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
     figures.save(figure, folder / "success")
 
 

@@ -38,7 +38,7 @@ def sweep(config):
     """{(scene, schedule, seed): cover} of the matrices by random rays."""
     regions = config.get("sweep_regions", config["regions"][-1])
     return {(name, schedule, seed): lab.cover(runs(config)[name, "rays", regions], method="sa", seed=seed, annealing=schedule)
-            for name in config["scenes"] for schedule in schedules(config) for seed in config["seeds"]}
+            for name in config["scenes"] for schedule in schedules(config) for seed in config.get("sweep_seeds", config["seeds"])}
 
 
 def jobs(config, notes):

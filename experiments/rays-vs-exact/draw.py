@@ -82,7 +82,7 @@ def soups(rows, config, folder):
                       HAUMONT.get(n, "")])
         if result["median_rays"]:
             points.append((n, result["median_rays"], result["quartile_rays"]))
-    tables.write(folder / "first_free_ray", f"Rays (powers of two) until the first free one, for visible pairs of unit squares through random triangles; "
+    tables.write(folder / "first_free_ray", f"Rays (powers of two) until the first free one, for visible pairs of unit squares through random triangles {config['soup_width']:g} wide; "
                  f"{config['soup_queries']} queries a line, no more than {config['soup_most_rays']:,} rays.",
                  ["occluders", "visible", "hidden", "median rays", "third quartile", "never found", "Haumont et al. 2005, figure 17"], lines)
     figure, ax = figures.axes("occluders", "rays until the first free one", log="y")

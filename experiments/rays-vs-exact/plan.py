@@ -24,8 +24,8 @@ def comparisons(config):
 
 def soups(config):
     """{occluders: job}: queries between two squares through so many random triangles."""
-    return {n: lab.Job(lab.key_of("first-free-ray", n, queries=config["soup_queries"], most=config["soup_most_rays"]), "soup",
-                       ("first_free_ray.py", "{folder}", str(n), str(config["soup_queries"]), str(config["soup_most_rays"]), "1"),
+    return {n: lab.Job(lab.key_of("first-free-ray", n, queries=config["soup_queries"], most=config["soup_most_rays"], width=config["soup_width"]), "soup",
+                       ("first_free_ray.py", "{folder}", str(n), str(config["soup_queries"]), str(config["soup_most_rays"]), lab.text(config["soup_width"]), "1"),
                        labels=(("occluders", n), ("queries", config["soup_queries"]), ("most_rays", config["soup_most_rays"])), script=True)
             for n in config["soup_occluders"]}
 

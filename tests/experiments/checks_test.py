@@ -20,7 +20,7 @@ except ImportError as error:
 
 QUESTION = "rays-vs-exact"
 CONFIG = {"scenes": ["simple"], "regions": 4, "rays": [1, 16], "seeds": [1, 2], "most_rays_complex": 1, "soup_occluders": [20], "soup_queries": 3,
-          "soup_most_rays": 64}
+          "soup_most_rays": 64, "soup_width": 0.7}
 
 
 class Results:
