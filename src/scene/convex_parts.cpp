@@ -33,20 +33,29 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-// A loop as indices into its different points.
-struct IndexedLoop {
+using Loop = std::vector<Point>;
+
+// Loops as indices into their different points.
+struct IndexedLoops {
   std::vector<Point> points;
-  std::vector<std::uint32_t> corners;
+  std::vector<std::array<std::uint32_t, 2>> edges;
 };
 
-IndexedLoop indexed(std::span<const Point> loop) {
-  IndexedLoop result;
+IndexedLoops indexed(std::span<const Loop> loops) {
+  IndexedLoops result;
   std::map<std::array<double, 3>, std::uint32_t> numbers;
-  for (const Point& point : loop) {
-    const auto next = static_cast<std::uint32_t>(result.points.size());
-    const auto [entry, is_new] = numbers.emplace(std::array{point.x(), point.y(), point.z()}, next);
-    if (is_new) result.points.push_back(point);
-    result.corners.push_back(entry->second);
+  for (const Loop& loop : loops) {
+    std::vector<std::uint32_t> corners;
+    for (const Point& point : loop) {
+      const auto next = static_cast<std::uint32_t>(result.points.size());
+      const auto [entry, is_new] =
+          numbers.emplace(std::array{point.x(), point.y(), point.z()}, next);
+      if (is_new) result.points.push_back(point);
+      corners.push_back(entry->second);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      result.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    }
   }
   return result;
 }
@@ -56,8 +65,8 @@ bool are_collinear(const Point& a, const Point& b, const Point& c) {
 }
 
 // Twice the signed area of a loop projected along `axis`.
-template <class Loop>
-Exact twice_area(const Loop& loop, int axis) {
+template <class Corners>
+Exact twice_area(const Corners& loop, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   Exact sum = 0;
   for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
@@ -67,30 +76,30 @@ Exact twice_area(const Loop& loop, int axis) {
   return sum;
 }
 
-// The triangulation of a loop in one coordinate projection.
-class ProjectedLoop {
+// The triangulation of loops in one coordinate projection.
+class ProjectedLoops {
  public:
-  ProjectedLoop(const IndexedLoop& loop, int axis) : loop_(loop), axis_(axis) {}
+  ProjectedLoops(const IndexedLoops& loops, int axis) : loops_(loops), axis_(axis) {}
 
   /// False if the projection has no area, lays two points on one another, or shows a crossing.
   bool triangulate() {
     const int u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
-    for (std::uint32_t i = 0; i < loop_.points.size(); ++i) {
-      const Point& point = loop_.points[i];
+    for (std::uint32_t i = 0; i < loops_.points.size(); ++i) {
+      const Point& point = loops_.points[i];
       const auto vertex = triangulation_.insert(Kernel::Point_2(point[u], point[v]));
       vertex->info() = i;
       vertices_.push_back(vertex);
     }
-    if (triangulation_.number_of_vertices() != loop_.points.size()) return false;
+    if (triangulation_.number_of_vertices() != loops_.points.size()) return false;
     if (triangulation_.dimension() != 2) return false;
-    const std::size_t n = loop_.corners.size();
     try {
-      for (std::size_t i = 0; i < n; ++i)
-        triangulation_.insert_constraint(corner(i), corner(i + 1));
+      for (const auto& [from, to] : loops_.edges) {
+        triangulation_.insert_constraint(vertices_[from], vertices_[to]);
+      }
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
-    for (std::size_t i = 0; i < n; ++i) walk(corner(i), corner(i + 1));
+    for (const auto& [from, to] : loops_.edges) walk(vertices_[from], vertices_[to]);
     mark_sides();
     return true;
   }
@@ -108,8 +117,6 @@ class ProjectedLoop {
 
  private:
   using Vertex = Triangulation::Vertex_handle;
-
-  Vertex corner(std::size_t i) const { return vertices_[loop_.corners[i % loop_.corners.size()]]; }
 
   // Counts the edges of the triangulation along one edge of the loop: several where other corners
   // of the loop lie on it.
@@ -153,7 +160,7 @@ class ProjectedLoop {
     }
   }
 
-  const IndexedLoop& loop_;
+  const IndexedLoops& loops_;
   int axis_;
   Triangulation triangulation_;
   std::vector<Vertex> vertices_;  // by point
@@ -174,29 +181,30 @@ std::array<int, 3> axes_in_order(std::span<const Point> loop) {
   return axes;
 }
 
-ConvexPolygon polygon_of(const IndexedLoop& loop, std::span<const std::uint32_t> corners) {
+ConvexPolygon polygon_of(const IndexedLoops& loops, std::span<const std::uint32_t> corners) {
   ConvexPolygon polygon;
-  for (const std::uint32_t corner : corners) polygon.push_back(loop.points[corner]);
+  for (const std::uint32_t corner : corners) polygon.push_back(loops.points[corner]);
   return polygon;
 }
 
 // The parts in one projection, if that has area and shows no crossing.
-std::optional<ConvexParts> parts_along(const IndexedLoop& loop, std::span<const Point> corners,
+std::optional<ConvexParts> parts_along(const IndexedLoops& indices, std::span<const Loop> loops,
                                        bool is_planar, int axis) {
-  ProjectedLoop projected(loop, axis);
+  ProjectedLoops projected(indices, axis);
   if (!projected.triangulate()) return std::nullopt;
-  const Exact area = twice_area(corners, axis);
+  Exact area = 0;
+  for (const Loop& loop : loops) area += twice_area(loop, axis);
   std::vector<ConvexCell> cells;
   for (auto triangle : projected.triangles()) {
     if (area < 0) std::swap(triangle[1], triangle[2]);
     cells.push_back({{triangle.begin(), triangle.end()}, 0, 0});
   }
   // Where the face is not planar, too: only what lies exactly in one plane is joined.
-  cells = merge_convex(loop.points, std::move(cells));
+  cells = merge_convex(indices.points, std::move(cells));
   ConvexParts parts;
   Exact sum = 0;
   for (const ConvexCell& cell : cells) {
-    parts.polygons.push_back(polygon_of(loop, cell.corners));
+    parts.polygons.push_back(polygon_of(indices, cell.corners));
     sum += twice_area(parts.polygons.back(), axis);
   }
   if (sum != area) return std::nullopt;
@@ -236,9 +244,30 @@ ConvexParts convex_parts(std::span<const Point> loop) {
   if (is_planar && is_strictly_convex(corners)) {
     return {FaceKind::kWhole, {ConvexPolygon(corners.begin(), corners.end())}};
   }
-  const IndexedLoop indexed_loop = indexed(corners);
+  const std::array loops = {corners};
+  const IndexedLoops indices = indexed(loops);
   for (const int axis : axes_in_order(corners)) {
-    if (auto parts = parts_along(indexed_loop, corners, is_planar, axis)) return *std::move(parts);
+    if (auto parts = parts_along(indices, loops, is_planar, axis)) return *std::move(parts);
+  }
+  return {FaceKind::kCrossing, {}};
+}
+
+ConvexParts convex_parts(std::span<const Loop> loops) {
+  std::vector<Loop> kept;
+  for (const Loop& loop : loops) {
+    kept.push_back(without_straight_corners(loop));
+    if (kept.back().size() < 3) kept.pop_back();
+  }
+  if (kept.empty()) return {};
+  if (kept.size() == 1) return convex_parts(kept.front());
+  for (const Loop& loop : kept) {
+    const auto is_beside = [&](const Point& point) {
+      return orientation(kept[0][0], kept[0][1], kept[0][2], point) != 0;
+    };
+    if (std::ranges::any_of(loop, is_beside)) return {FaceKind::kCrossing, {}};
+  }
+  if (auto parts = parts_along(indexed(kept), kept, true, axes_in_order(kept.front()).front())) {
+    return *std::move(parts);
   }
   return {FaceKind::kCrossing, {}};
 }

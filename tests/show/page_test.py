@@ -230,6 +230,18 @@ def main():
         hidden = rows_of(folder / "many" / "elements.csv")
         check("room: the first of the unseen is unseen", saw["rows"] > 0 and hidden[saw["unseen"]]["times_visible"] == "0", saw["unseen"])
 
+        # The figures of the paper's larger room, with the regions that its page is to be quick for.
+        complex_room = folder / "complex.obj"
+        run("generate", "living-room", "--detail", "complex", "-o", complex_room)
+        run("solve", complex_room, "--region", folder / "complex.region.json", "--regions", 256, "--viewpoints", "none", "-o", folder / "complex")
+        run("show", folder / "complex", "--size", "200x150")
+        megabytes = (folder / "complex" / "report.html").stat().st_size / 1e6
+        check("room of 1228 polygons: the page is small", megabytes < 25, megabytes)
+        print(f"room of 1228 polygons: page of {megabytes:.1f} MB")
+        saw = drive(browser, folder / "complex" / "report.html", folder)
+        check_common("room of 1228 polygons", saw)
+        check_sets("room of 1228 polygons", saw, folder / "complex")
+
         soup = folder / "soup.obj"
         run("generate", "soup", "--triangles", 20000, "-o", soup)
         run("solve", soup, "--region", folder / "soup.region.json", "--backend", "rays", "--rays", 1, "--regions", 16, "--optimizer", "greedy",

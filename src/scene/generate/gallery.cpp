@@ -73,13 +73,13 @@ class CheckedPlan {
 
   std::span<const PlanLoop> loops() const { return plan_; }
 
-  /// One loop round everything: holes are joined to it by bridges, walked there and back.
-  std::vector<Point> keyholed() const {
-    std::vector<Point> joined;
-    for (const PlanCorner& corner : plan_[0]) joined.push_back(corner.position);
-    std::vector<bool> is_joined(plan_.size(), false);
-    for (std::size_t count = 1; count < plan_.size(); ++count) join_a_hole(joined, is_joined);
-    return joined;
+  std::vector<std::vector<Point>> corners() const {
+    std::vector<std::vector<Point>> loops;
+    for (const PlanLoop& loop : plan_) {
+      loops.emplace_back();
+      for (const PlanCorner& corner : loop) loops.back().push_back(corner.position);
+    }
+    return loops;
   }
 
  private:
@@ -127,55 +127,6 @@ class CheckedPlan {
     }
   }
 
-  /// Over the shortest bridge that meets nothing else: there is one, as some edge of any
-  /// triangulation of the plan joins a hole to what is joined already.
-  void join_a_hole(std::vector<Point>& joined, std::vector<bool>& is_joined) const {
-    double shortest = INFINITY;
-    std::size_t at = 0, hole = 0, corner = 0;
-    for (std::size_t h = 1; h < plan_.size(); ++h) {
-      for (std::size_t c = 0; c < plan_[h].size() && !is_joined[h]; ++c) {
-        for (std::size_t j = 0; j < joined.size(); ++j) {
-          const Point& to = plan_[h][c].position;
-          const double length = (joined[j] - to).norm();
-          if (length >= shortest || !is_free(joined, joined[j], to)) continue;
-          shortest = length;
-          at = j;
-          hole = h;
-          corner = c;
-        }
-      }
-    }
-    const PlanLoop& loop = plan_[hole];
-    std::vector<Point> round;
-    for (std::size_t i = 0; i <= loop.size(); ++i) {
-      round.push_back(loop[(corner + i) % loop.size()].position);
-    }
-    round.push_back(joined[at]);
-    joined.insert(joined.begin() + static_cast<std::ptrdiff_t>(at) + 1, round.begin(), round.end());
-    is_joined[hole] = true;
-  }
-
-  /// Does the segment meet edges of the plan and bridges in its own ends only?
-  bool is_free(std::span<const Point> joined, const Point& from, const Point& to) const {
-    const auto blocks = [&](const Point& a, const Point& b) {
-      const bool shares = a == from || b == from || a == to || b == to;
-      if (!shares) return segments_meet(from, to, a, b);
-      // An edge at one of its ends: in the way only along the same line.
-      const Point &end = a == from || b == from ? from : to, &far = end == from ? to : from,
-                  &other = a == end ? b : a;
-      return other != far && turn_of(from, to, other) == 0 && (other - end).dot(far - end) > 0;
-    };
-    for (std::size_t j = 0; j < joined.size(); ++j) {
-      if (blocks(joined[j], joined[(j + 1) % joined.size()])) return false;
-    }
-    return std::ranges::none_of(plan_, [&](const PlanLoop& loop) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (blocks(loop[i].position, next_of(loop, i).position)) return true;
-      }
-      return false;
-    });
-  }
-
   std::string file_;
   FloorPlan plan_;
 };
@@ -216,7 +167,7 @@ GeneratedScene gallery(const std::filesystem::path& file, FloorPlan plan, double
       builder.add_face({b, a, Point(a + up), Point(b + up)});
     }
   }
-  const ConvexParts parts = convex_parts(checked.keyholed());
+  const ConvexParts parts = convex_parts(checked.corners());
   builder.begin_group("floor");
   for (const ConvexPolygon& part : parts.polygons) builder.add_face(part);
   builder.begin_group("ceiling");
