@@ -24,6 +24,7 @@ void add_generate_command(CLI::App& app, int& exit_code);
 void add_sees_command(CLI::App& app, int& exit_code);
 void add_cover_command(CLI::App& app, int& exit_code);
 void add_audit_command(CLI::App& app, int& exit_code);
+void add_inspect_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_show_command(CLI::App& app, int& exit_code);

@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   add_sees_command(app, exit_code);
   add_cover_command(app, exit_code);
   add_audit_command(app, exit_code);
+  add_inspect_command(app, exit_code);
   add_region_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_show_command(app, exit_code);

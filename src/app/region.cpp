@@ -18,7 +18,7 @@ namespace {
 
 struct RegionText {
   CommonOptions common;
-  std::string scene, output, height, clearance = "0", up = "z", seed_point;
+  std::string scene, output, height, clearance = "0", up = "z", seed_point, heal;
 };
 
 Point place_option(std::string_view option, std::string_view text) {
@@ -58,7 +58,9 @@ int write_free_region(const RegionText& text) {
   if (text.height.empty()) throw InputError("--height", "is missing", "give the cameras' height");
   if (text.output.empty()) throw InputError("--output", "is missing", "give the file to write");
   const FreeRegionOptions options = region_options(text);
-  const Scene scene = load_scene(text.scene);
+  SceneOptions scene_options;
+  if (!text.heal.empty()) scene_options.heal = positive_option("--heal", text.heal);
+  const Scene scene = load_scene(text.scene, scene_options);
   const FreeRegion free = find_free_region(scene, options);
   // By the rules that `solve` has, before anything is written.
   check_region_is_free(text.output, scene, {.parts = free.parts, .level = 0},
@@ -103,6 +105,8 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->add_option("--seed-point", text->seed_point,
                    "a place that the region must be connected with (default: the largest)")
       ->type_name("X,Y,Z");
+  command->add_option("--heal", text->heal, "close cracks up to this width, as `solve` does")
+      ->type_name("W");
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = write_free_region(*text); });
 }

@@ -83,6 +83,10 @@ void SolveText::add_to(CLI::App& command) {
       "S");
   option("--lattice", lattice,
          "round coordinates to multiples of 2^-E (default: 24 bits for the largest)", "E");
+  option(
+      "--heal", heal,
+      "close cracks up to this width: vertices that near to an edge or a vertex are joined to it",
+      "W");
   command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
   command.add_flag("--allow-outside", allow_outside, "accept a region outside the scene");
   command.add_flag("--resume", resume)->group("");
@@ -145,6 +149,7 @@ SolveOptions::SolveOptions(const SolveText& text)
                        "use it with --backend exact");
     }
   }
+  if (!text.heal.empty()) heal = positive_option("--heal", text.heal);
   if (!text.lattice.empty()) {
     lattice_exponent =
         integer_option("--lattice", text.lattice, -kMostLatticeExponent, kMostLatticeExponent);
@@ -168,6 +173,7 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["close_gap"] = close_gap_seconds ? Json(*close_gap_seconds) : Json(nullptr);
   options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
   options["merge_coplanar"] = merge_coplanar;
+  options["heal"] = heal;
   options["allow_outside"] = allow_outside;
   return options;
 }

@@ -18,7 +18,7 @@ struct SolveText {
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
   std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
-  std::string clearance = "0", time_limit, close_gap, lattice;
+  std::string clearance = "0", time_limit, close_gap, lattice, heal;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
 
   /// Adds the options to the command.
@@ -45,6 +45,7 @@ struct SolveOptions {
   std::optional<double> close_gap_seconds;  ///< default: some rounds
   std::optional<int> lattice_exponent;
   bool merge_coplanar = false;
+  double heal = 0;
   bool allow_outside = false;
 
   /// Errors: InputError for a value out of range or one that is not available.

@@ -28,6 +28,7 @@ SceneRecord scene_record(const std::filesystem::path& folder) {
     }
     scene.options.one_sided = options.at("one_sided");
     scene.options.merge_coplanar = options.at("merge_coplanar");
+    scene.options.heal = options.value("heal", 0.0);
     return scene;
   } catch (const Json::exception& error) {
     throw InputError((folder / "run.json").string(),

@@ -15,17 +15,6 @@ Json input(const std::filesystem::path& file) {
   return {{"file", file.string()}, {"sha256", sha256_of_file(file)}};
 }
 
-Json repairs_of(const Scene& scene) {
-  const Repairs& repairs = scene.repairs;
-  return {{"welded_vertices", repairs.welded_vertices},
-          {"degenerate_faces", repairs.degenerate_faces},
-          {"duplicate_faces", repairs.duplicate_faces},
-          {"split_faces", repairs.split_faces},
-          {"triangulated_faces", repairs.triangulated_faces},
-          {"merged_surfaces", repairs.merged_surfaces},
-          {"largest_move", repairs.largest_move}};
-}
-
 Json seconds_of(const RunSeconds& seconds) {
   return {{"visibility", seconds.visibility},
           {"cover", seconds.cover},
@@ -34,6 +23,20 @@ Json seconds_of(const RunSeconds& seconds) {
 }
 
 }  // namespace
+
+Json repairs_of(const Scene& scene) {
+  const Repairs& repairs = scene.repairs;
+  return {{"welded_vertices", repairs.welded_vertices},
+          {"degenerate_faces", repairs.degenerate_faces},
+          {"duplicate_faces", repairs.duplicate_faces},
+          {"split_faces", repairs.split_faces},
+          {"triangulated_faces", repairs.triangulated_faces},
+          {"merged_surfaces", repairs.merged_surfaces},
+          {"largest_move", repairs.largest_move},
+          {"healed_vertices", repairs.healing.moved},
+          {"healed_edges", repairs.healing.inserted},
+          {"largest_healing_move", repairs.healing.largest_move}};
+}
 
 Json make_run_record(const std::filesystem::path& scene_file,
                      const std::filesystem::path& region_file, const Scene& scene,

@@ -44,4 +44,7 @@ Json read_complete_run(const std::filesystem::path& folder);
 /// Elements that some region sees.
 std::size_t visible_elements(const VisibilityMatrix& matrix);
 
+/// What was changed between the file and the scene, by name.
+Json repairs_of(const Scene& scene);
+
 }  // namespace viewcover

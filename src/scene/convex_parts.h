@@ -43,9 +43,9 @@ std::vector<Point> without_straight_corners(std::span<const Point> loop);
 /// Cost: O(n log n) typical. Thread-safe.
 ConvexParts convex_parts(std::span<const Point> loop);
 
-/// The same for a face with holes: loops in one plane whose inside is to the left of each, seen from
-/// where the first is walked counter-clockwise. Loops that do not lie exactly in the plane of the
-/// first, or that cross each other: kCrossing.
+/// The same for a face with holes: loops in one plane whose inside is to the left of each, seen
+/// from where the first is walked counter-clockwise. Loops that do not lie exactly in the plane of
+/// the first, or that cross each other: kCrossing.
 ConvexParts convex_parts(std::span<const std::vector<Point>> loops);
 
 }  // namespace viewcover

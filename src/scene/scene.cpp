@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -48,6 +49,17 @@ Lattice choose_lattice(const PolygonSoup& soup, std::optional<int> exponent) {
   return {*exponent};
 }
 
+/// Returns how far a vertex moved at most.
+double round_to(const Lattice& lattice, PolygonSoup& soup) {
+  double largest = 0;
+  for (Point& vertex : soup.vertices) {
+    const Point rounded = lattice.round(vertex);
+    largest = std::max(largest, (rounded - vertex).norm());
+    vertex = rounded;
+  }
+  return largest;
+}
+
 std::string counted(std::size_t count, const char* noun, const char* participle) {
   return fmt::format("{} {}{} {}", count, noun, count == 1 ? "" : "s", participle);
 }
@@ -61,6 +73,8 @@ std::string Repairs::summary() const {
       {split_faces, counted(split_faces, "face", "split into convex parts")},
       {triangulated_faces, counted(triangulated_faces, "face", "triangulated")},
       {merged_surfaces, counted(merged_surfaces, "surface", "merged into a neighbour")},
+      {healing.moved, counted(healing.moved, "place", "of a vertex moved to another")},
+      {healing.inserted, counted(healing.inserted, "corner", "inserted in an edge")},
   };
   std::string line;
   for (const auto& [count, text] : items) {
@@ -83,12 +97,21 @@ Scene load_scene(const std::filesystem::path& file, const SceneOptions& options)
   scene.name = file.stem().string();
   scene.lattice = choose_lattice(soup, options.lattice_exponent);
   scene.faces = soup.faces.size();
+  Healing healing;
+  double rounding = 0;
+  if (options.heal > 0) {
+    // What is on the lattice is what has cracks.
+    rounding = round_to(scene.lattice, soup);
+    healing = heal(soup, options.heal);
+  }
   ConvexFaces faces = make_convex(soup, scene.lattice, options.one_sided);
   if (faces.polygons.empty()) {
     throw InputError(soup.file, fmt::format("none of the {} faces has area", soup.faces.size()),
                      "");
   }
   scene.repairs = faces.repairs;
+  scene.repairs.largest_move = std::max(scene.repairs.largest_move, rounding);
+  scene.repairs.healing = healing;
   scene.groups = std::move(soup.groups);
   scene.surfaces.reserve(faces.polygons.size());
   for (std::size_t i = 0; i < faces.polygons.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/convex_polygon.h"
+#include "scene/cracks.h"
 #include "scene/lattice.h"
 #include "scene/types.h"
 
@@ -28,9 +29,12 @@ struct Repairs {
   std::size_t triangulated_faces = 0;  ///< not exactly planar on the lattice, triangulated
   std::size_t merged_surfaces = 0;     ///< surfaces gone into a neighbour by --merge-coplanar
   double largest_move = 0;             ///< farthest a vertex moved to the lattice, scene units
+  Healing healing;                     ///< by --heal, after that
 
   bool any() const {
-    return degenerate_faces + duplicate_faces + split_faces + triangulated_faces > 0;
+    return degenerate_faces + duplicate_faces + split_faces + triangulated_faces + healing.moved +
+               healing.inserted >
+           0;
   }
   /// One line for people, such as "2 degenerate faces dropped, 80 faces triangulated".
   std::string summary() const;
@@ -40,6 +44,7 @@ struct SceneOptions {
   std::optional<int> lattice_exponent;  ///< default: Lattice::for_extent of the file
   bool one_sided = false;               ///< faces that differ by orientation are no duplicates
   bool merge_coplanar = false;          ///< join exactly coplanar neighbours of one group
+  double heal = 0;                      ///< close cracks up to this width (scene/cracks.h)
 };
 
 /// A polygonal scene on its lattice: input to everything else, immutable once made.

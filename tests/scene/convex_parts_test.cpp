@@ -131,6 +131,27 @@ TEST(ConvexParts, ConcaveIsSplitInFewParts) {
   EXPECT_LE(convex_parts(comb).polygons.size(), 2 * 4 + 1u);
 }
 
+TEST(ConvexParts, LoopsAreHoles) {
+  const Loop outline = flat({{0, 0}, {8, 0}, {8, 8}, {0, 8}}),
+             left = flat({{1, 1}, {1, 7}, {3, 7}, {3, 1}}),
+             right = flat({{5, 2}, {5, 6}, {7, 6}, {7, 2}});
+  const std::vector<Loop> one = {outline, left}, both = {outline, left, right};
+  EXPECT_EQ(twice_area(convex_parts(one)), 2 * (64 - 12));
+  EXPECT_EQ(convex_parts(one).polygons.size(), 4u);
+  EXPECT_EQ(twice_area(convex_parts(both)), 2 * (64 - 12 - 8));
+  EXPECT_EQ(convex_parts(both).kind, FaceKind::kSplit);
+  EXPECT_EQ(convex_parts(std::vector<Loop>{outline}).kind, FaceKind::kWhole);
+
+  // A hole that crosses the outline, one that winds as it does, and one in another plane.
+  const std::vector<Loop> crossing = {outline, flat({{7, 1}, {7, 2}, {9, 2}, {9, 1}})},
+                          same_way = {outline, Loop(left.rbegin(), left.rend())};
+  std::vector<Loop> beside = one;
+  beside[1][0].z() += 1;
+  for (const std::vector<Loop>& wrong : {crossing, same_way, beside}) {
+    EXPECT_EQ(convex_parts(wrong).kind, FaceKind::kCrossing);
+  }
+}
+
 TEST(ConvexParts, KeyholesAreCutOut) {
   const Loop one =
       flat({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}});
