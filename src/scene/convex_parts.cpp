@@ -33,7 +33,7 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-using Loop = std::vector<Point>;
+using PointLoop = std::vector<Point>;
 
 // Loops as indices into their different points.
 struct IndexedLoops {
@@ -41,10 +41,10 @@ struct IndexedLoops {
   std::vector<std::array<std::uint32_t, 2>> edges;
 };
 
-IndexedLoops indexed(std::span<const Loop> loops) {
+IndexedLoops indexed(std::span<const PointLoop> loops) {
   IndexedLoops result;
   std::map<std::array<double, 3>, std::uint32_t> numbers;
-  for (const Loop& loop : loops) {
+  for (const PointLoop& loop : loops) {
     std::vector<std::uint32_t> corners;
     for (const Point& point : loop) {
       const auto next = static_cast<std::uint32_t>(result.points.size());
@@ -188,12 +188,12 @@ ConvexPolygon polygon_of(const IndexedLoops& loops, std::span<const std::uint32_
 }
 
 // The parts in one projection, if that has area and shows no crossing.
-std::optional<ConvexParts> parts_along(const IndexedLoops& indices, std::span<const Loop> loops,
-                                       bool is_planar, int axis) {
+std::optional<ConvexParts> parts_along(const IndexedLoops& indices,
+                                       std::span<const PointLoop> loops, bool is_planar, int axis) {
   ProjectedLoops projected(indices, axis);
   if (!projected.triangulate()) return std::nullopt;
   Exact area = 0;
-  for (const Loop& loop : loops) area += twice_area(loop, axis);
+  for (const PointLoop& loop : loops) area += twice_area(loop, axis);
   std::vector<ConvexCell> cells;
   for (auto triangle : projected.triangles()) {
     if (area < 0) std::swap(triangle[1], triangle[2]);
@@ -252,15 +252,15 @@ ConvexParts convex_parts(std::span<const Point> loop) {
   return {FaceKind::kCrossing, {}};
 }
 
-ConvexParts convex_parts(std::span<const Loop> loops) {
-  std::vector<Loop> kept;
-  for (const Loop& loop : loops) {
+ConvexParts convex_parts(std::span<const PointLoop> loops) {
+  std::vector<PointLoop> kept;
+  for (const PointLoop& loop : loops) {
     kept.push_back(without_straight_corners(loop));
     if (kept.back().size() < 3) kept.pop_back();
   }
   if (kept.empty()) return {};
   if (kept.size() == 1) return convex_parts(kept.front());
-  for (const Loop& loop : kept) {
+  for (const PointLoop& loop : kept) {
     const auto is_beside = [&](const Point& point) {
       return orientation(kept[0][0], kept[0][1], kept[0][2], point) != 0;
     };

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices) {
   return first;
 }
 
-bool are_collinear(const Point& a, const Point& b, const Point& c) {
+bool lie_on_a_line(const Point& a, const Point& b, const Point& c) {
   return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
 }
 
@@ -102,7 +102,7 @@ class CrackFinder {
     const double along = direction.dot(x - a) / (length * length);
     const double from_a = along * length;
     if (from_a <= width_ || from_a >= length - width_) return;
-    if (are_collinear(a, b, x)) {
+    if (lie_on_a_line(a, b, x)) {
       is_junction[vertex] = 1;
       return;
     }
