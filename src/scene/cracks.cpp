@@ -27,8 +27,8 @@ GrownBox grown_box(const Point& a, const Point& b, double margin, const Thing& t
 
 /// For each vertex the first one at the same place.
 std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices) {
-  using Coordinates = std::array<double, 3>;
-  std::unordered_map<Coordinates, std::uint32_t, boost::hash<Coordinates>> places;
+  std::unordered_map<std::array<double, 3>, std::uint32_t, boost::hash<std::array<double, 3>>>
+      places;
   std::vector<std::uint32_t> first;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const Point& v = vertices[i];

@@ -176,10 +176,10 @@ class HeaderReader {
 
 // What CGAL gets: the vertices' coordinates and the faces' corners, nothing else.
 std::string plain_header(const Header& header) {
-  constexpr std::array<const char*, 3> kFormats = {"ascii", "binary_little_endian",
-                                                   "binary_big_endian"};
+  constexpr std::array<const char*, 3> kFormatNames = {"ascii", "binary_little_endian",
+                                                       "binary_big_endian"};
   std::string text = "ply\nformat ";
-  text.append(kFormats[static_cast<std::size_t>(header.format)]).append(" 1.0\n");
+  text.append(kFormatNames[static_cast<std::size_t>(header.format)]).append(" 1.0\n");
   for (const Element& element : header.elements) {
     if (!element.is_vertex() && !element.is_face()) continue;
     text += element.is_vertex() ? "element vertex " : "element face ";
