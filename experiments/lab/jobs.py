@@ -7,9 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 
-ROOMS = ("simple", "complex")
-
-
 @dataclasses.dataclass(frozen=True)
 class Job:
     key: str

@@ -26,7 +26,7 @@ def flat(row):
             line[name] = value
     if row["bundle"]:
         record = row["bundle"]["record"]
-        for name in ("viewpoints_by_annealing_alone", "regions_lower_bound", "viewpoints_lower_bound", "imaged_percent", "further_percent"):
+        for name in ("viewpoints_by_annealing_alone", "regions_lower_bound", "viewpoints_lower_bound", "imaged_percent"):
             if name in record["results"]:
                 line[name] = record["results"][name]
         line["element_area"] = record["options"]["element_area"]

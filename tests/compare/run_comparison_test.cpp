@@ -120,7 +120,6 @@ TEST_F(RunComparisonTest, AgreesWithACountOfSmallestCells) {
 }
 
 TEST_F(RunComparisonTest, CountsPiecesOfTheCommonRefinement) {
-  Random random(1);
   RunData a = made_run({level(0, 8, 0, 8, 0)}, {"a"}, {level(1, 2, 1, 2, 3)}, {{0}});
   RunData b = a;
   b.bundle.elements.clear();
