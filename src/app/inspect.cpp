@@ -151,8 +151,8 @@ std::string as_lines(const Json& found) {
 
 int inspect(const InspectText& text) {
   if (text.scene.empty()) throw InputError("SCENE", "is missing", "give a file");
-  const Scene scene = load_scene(text.scene);
   PolygonSoup soup = read_polygon_soup(text.scene);
+  const Scene scene = make_scene(soup);
   const std::vector<std::size_t> far = outliers(soup);
   const double largest =
       scene.bounds.min().cwiseAbs().cwiseMax(scene.bounds.max().cwiseAbs()).maxCoeff();

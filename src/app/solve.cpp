@@ -162,7 +162,8 @@ int solve(const SolveOptions& options) {
   const Scene scene = load_scene(options.scene_file, {.lattice_exponent = options.lattice_exponent,
                                                       .one_sided = options.one_sided,
                                                       .merge_coplanar = options.merge_coplanar,
-                                                      .heal = options.heal});
+                                                      .heal = options.heal,
+                                                      .targets = options.targets});
   if (scene.repairs.any() && !options.quiet) {
     print_error_line(options.scene_file.string() + ": " + scene.repairs.summary());
   }

@@ -87,6 +87,12 @@ void SolveText::add_to(CLI::App& command) {
       "--heal", heal,
       "close cracks up to this width: vertices that near to an edge or a vertex are joined to it",
       "W");
+  command
+      .add_option("--target", targets,
+                  "a group to be seen, by its name or its object's, once for each; the others only "
+                  "block views (default: all)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
   command.add_flag("--allow-outside", allow_outside, "accept a region outside the scene");
   command.add_flag("--resume", resume)->group("");
@@ -101,6 +107,7 @@ SolveOptions::SolveOptions(const SolveText& text)
       optimizer(text.optimizer),
       one_sided(text.one_sided),
       merge_coplanar(text.merge_coplanar),
+      targets(text.targets),
       allow_outside(text.allow_outside) {
   require_given("SCENE", text.scene_file, "give a scene file");
   require_given("--region", text.region_file, "give a file with the viewing region");
@@ -174,6 +181,7 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
   options["merge_coplanar"] = merge_coplanar;
   options["heal"] = heal;
+  options["targets"] = targets;
   options["allow_outside"] = allow_outside;
   return options;
 }

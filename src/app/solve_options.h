@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/backends.h"
 #include "app/commands.h"
@@ -19,6 +20,7 @@ struct SolveText {
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
   std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
   std::string clearance = "0", time_limit, close_gap, lattice, heal;
+  std::vector<std::string> targets;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
 
   /// Adds the options to the command.
@@ -46,6 +48,7 @@ struct SolveOptions {
   std::optional<int> lattice_exponent;
   bool merge_coplanar = false;
   double heal = 0;
+  std::vector<std::string> targets;  ///< none: all groups
   bool allow_outside = false;
 
   /// Errors: InputError for a value out of range or one that is not available.

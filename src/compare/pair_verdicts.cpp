@@ -33,10 +33,7 @@ std::optional<QuadAddress<Owner>> node_of(std::string_view text) {
     if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
   }
   const auto [owner, level, path] = numbers;
-  const bool is_node = owner >= 1 && owner <= UINT32_MAX && text.empty() &&
-                       level <= std::uint64_t{kMaxSubdivisionLevel} && path >> (2 * level) == 0;
-  if (!is_node) return std::nullopt;
-  return QuadAddress<Owner>(Owner(owner - 1), static_cast<int>(level), path);
+  return text.empty() ? QuadAddress<Owner>::from_file(owner, level, path) : std::nullopt;
 }
 
 std::optional<Verdict> visible_verdict(std::string_view text) {

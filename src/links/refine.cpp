@@ -106,7 +106,9 @@ class Refinement {
         backend_(backend),
         options_(options),
         progress_(progress) {
-    for (const Surface& surface : scene.surfaces) total_pairs_ += leaves(area(surface.polygon));
+    for (const Surface& surface : scene.surfaces) {
+      if (surface.is_target) total_pairs_ += leaves(area(surface.polygon));
+    }
     total_pairs_ *= static_cast<double>(region.region_count());
   }
 
@@ -125,6 +127,7 @@ class Refinement {
       ElementNode element;
       const OccluderId place(node.first);
       const SurfaceId surface = clusters_.surface(place);
+      if (!scene_[surface].is_target) return {};
       element.polygon = scene_[surface].polygon;
       element.plane = occluders_.plane(place);
       element.address = ElementAddress(surface);
@@ -137,7 +140,9 @@ class Refinement {
     if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
       double pairs = 0;
       for (std::uint32_t i = 0; i < node.count; ++i) {
-        pairs += leaves(area(occluders_.polygon(OccluderId(node.first + i))));
+        const OccluderId place(node.first + i);
+        if (!scene_[clusters_.surface(place)].is_target) continue;
+        pairs += leaves(area(occluders_.polygon(place)));
         links.count(Verdict::kHiddenByOne);
       }
       report(pairs * regions_.leaves(region), 0);

@@ -29,6 +29,7 @@ SceneRecord scene_record(const std::filesystem::path& folder) {
     scene.options.one_sided = options.at("one_sided");
     scene.options.merge_coplanar = options.at("merge_coplanar");
     scene.options.heal = options.value("heal", 0.0);
+    scene.options.targets = options.value("targets", std::vector<std::string>());
     return scene;
   } catch (const Json::exception& error) {
     throw InputError((folder / "run.json").string(),
@@ -40,14 +41,9 @@ SceneRecord scene_record(const std::filesystem::path& folder) {
 /// The node that a row names, if the scene has it.
 std::optional<ElementAddress> address_in(const CsvTable& table, std::size_t row,
                                          const Scene& scene) {
-  const std::size_t surface = table.count(row, "surface"), level = table.count(row, "level"),
-                    path = table.count(row, "path");
-  if (surface < 1 || surface > scene.surfaces.size() ||
-      level > static_cast<std::size_t>(kMaxSubdivisionLevel) ||
-      path >= std::size_t{1} << (2 * level)) {
-    return std::nullopt;
-  }
-  return ElementAddress(SurfaceId(surface - 1), static_cast<int>(level), path);
+  const auto address = ElementAddress::from_file(
+      table.count(row, "surface"), table.count(row, "level"), table.count(row, "path"));
+  return address && address->owner().value < scene.surfaces.size() ? address : std::nullopt;
 }
 
 /// Ascending, and each surface filled: counted in nodes of the deepest level.

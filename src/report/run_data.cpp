@@ -22,14 +22,9 @@ ConvexPolygon corners_of(const CsvTable& table, std::size_t row) {
 
 /// Errors: InputError for a row that names no node, or not one after those of the rows before.
 RegionAddress region_address(const CsvTable& table, std::size_t row, const RegionAddress* before) {
-  const std::size_t part = table.count(row, "part"), level = table.count(row, "level"),
-                    path = table.count(row, "path");
-  const bool is_node = part >= 1 && part <= UINT32_MAX &&
-                       level <= std::size_t{kMaxSubdivisionLevel} && path >> (2 * level) == 0;
-  if (is_node) {
-    const RegionAddress address(PartId(part - 1), static_cast<int>(level), path);
-    if (before == nullptr || *before < address) return address;
-  }
+  const auto address = RegionAddress::from_file(table.count(row, "part"), table.count(row, "level"),
+                                                table.count(row, "path"));
+  if (address && (before == nullptr || *before < *address)) return *address;
   throw InputError(table.place(row), "is no region in its place", "give the folder of one run");
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <compare>
 #include <cstdint>
+#include <optional>
 
 #include "scene/types.h"
 
@@ -34,6 +35,16 @@ class QuadAddress {
       : bits_((static_cast<std::uint64_t>(owner.value) << kPathBits) |
               (std::uint64_t{1} << (2 * level)) | path) {
     assert(owner.value < kOwnerLimit && level <= kMaxSubdivisionLevel);
+  }
+
+  /// The same from numbers of a file, whose owners count from 1; nothing where they name no node.
+  static constexpr std::optional<QuadAddress> from_file(std::uint64_t owner, std::uint64_t level,
+                                                        std::uint64_t path) {
+    if (owner < 1 || owner > kOwnerLimit || level > std::uint64_t{kMaxSubdivisionLevel} ||
+        path >> (2 * level) != 0) {
+      return std::nullopt;
+    }
+    return QuadAddress(Owner(static_cast<std::size_t>(owner - 1)), static_cast<int>(level), path);
   }
 
   constexpr Owner owner() const { return Owner(static_cast<std::size_t>(bits_ >> kPathBits)); }

@@ -60,10 +60,6 @@ IndexedLoops indexed(std::span<const PointLoop> loops) {
   return result;
 }
 
-bool are_collinear(const Point& a, const Point& b, const Point& c) {
-  return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
-}
-
 // Twice the signed area of a loop projected along `axis`.
 template <class Corners>
 Exact twice_area(const Corners& loop, int axis) {

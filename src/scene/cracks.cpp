@@ -37,10 +37,6 @@ std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices) {
   return first;
 }
 
-bool lie_on_a_line(const Point& a, const Point& b, const Point& c) {
-  return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
-}
-
 class CrackFinder {
  public:
   CrackFinder(const PolygonSoup& soup, double width)
@@ -102,7 +98,7 @@ class CrackFinder {
     const double along = direction.dot(x - a) / (length * length);
     const double from_a = along * length;
     if (from_a <= width_ || from_a >= length - width_) return;
-    if (lie_on_a_line(a, b, x)) {
+    if (are_collinear(a, b, x)) {
       is_junction[vertex] = 1;
       return;
     }

@@ -118,4 +118,8 @@ int turn(const Point& a, const Point& b, const Point& c, int axis) {
       Kernel::Point_2(a[u], a[v]), Kernel::Point_2(b[u], b[v]), Kernel::Point_2(c[u], c[v])));
 }
 
+bool are_collinear(const Point& a, const Point& b, const Point& c) {
+  return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
+}
+
 }  // namespace viewcover

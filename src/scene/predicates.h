@@ -19,4 +19,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 /// the plane of the other two axes in cyclic order. Exact.
 int turn(const Point& a, const Point& b, const Point& c, int axis);
 
+/// Do three points lie on one line (or on each other)? Exact.
+bool are_collinear(const Point& a, const Point& b, const Point& c);
+
 }  // namespace viewcover

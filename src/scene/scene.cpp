@@ -60,6 +60,28 @@ double round_to(const Lattice& lattice, PolygonSoup& soup) {
   return largest;
 }
 
+/// Which groups are to be seen. A name is that of a group, OBJECT/GROUP, or of its object.
+std::vector<char> targets_of(const PolygonSoup& soup, std::span<const std::string> names) {
+  std::vector<char> is_target(soup.groups.size(), names.empty() ? 1 : 0);
+  for (const std::string& name : names) {
+    bool found = false;
+    for (std::size_t i = 0; i < soup.groups.size(); ++i) {
+      const std::string& group = soup.groups[i];
+      if (group != name && !group.starts_with(name + "/")) continue;
+      is_target[i] = 1;
+      found = true;
+    }
+    if (found) continue;
+    constexpr std::size_t kListed = 8;
+    const std::size_t listed = std::min(kListed, soup.groups.size());
+    throw InputError(
+        "--target", fmt::format("{} has no group \"{}\"", soup.file, name),
+        fmt::format("its groups are {}{}", fmt::join(std::span(soup.groups).first(listed), ", "),
+                    listed < soup.groups.size() ? ", ..." : ""));
+  }
+  return is_target;
+}
+
 std::string counted(std::size_t count, const char* noun, const char* participle) {
   return fmt::format("{} {}{} {}", count, noun, count == 1 ? "" : "s", participle);
 }
@@ -92,9 +114,12 @@ double Scene::area() const {
 }
 
 Scene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
-  PolygonSoup soup = read_polygon_soup(file);
+  return make_scene(read_polygon_soup(file), options);
+}
+
+Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
   Scene scene;
-  scene.name = file.stem().string();
+  scene.name = std::filesystem::path(soup.file).stem().string();
   scene.lattice = choose_lattice(soup, options.lattice_exponent);
   scene.faces = soup.faces.size();
   Healing healing;
@@ -112,11 +137,14 @@ Scene load_scene(const std::filesystem::path& file, const SceneOptions& options)
   scene.repairs = faces.repairs;
   scene.repairs.largest_move = std::max(scene.repairs.largest_move, rounding);
   scene.repairs.healing = healing;
+  const std::vector<char> is_target = targets_of(soup, options.targets);
   scene.groups = std::move(soup.groups);
   scene.surfaces.reserve(faces.polygons.size());
   for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
     const std::uint32_t source = faces.sources[i];
-    scene.surfaces.push_back({std::move(faces.polygons[i]), soup.face_groups[source], source});
+    const GroupId group = soup.face_groups[source];
+    scene.surfaces.push_back(
+        {std::move(faces.polygons[i]), group, source, is_target[group.value] != 0});
   }
   if (options.merge_coplanar) scene.repairs.merged_surfaces = merge_coplanar(scene.surfaces);
   if (scene.surfaces.size() > ElementAddress::kOwnerLimit) {

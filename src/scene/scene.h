@@ -8,6 +8,7 @@
 #include "scene/convex_polygon.h"
 #include "scene/cracks.h"
 #include "scene/lattice.h"
+#include "scene/polygon_soup.h"
 #include "scene/types.h"
 
 namespace viewcover {
@@ -18,6 +19,8 @@ struct Surface {
   GroupId group;
   /// 0-based number of the face in the file that the surface comes from.
   std::uint32_t source_face = 0;
+  /// Is it to be seen? Others only block views.
+  bool is_target = true;
 };
 
 /// What was changed between the file and the scene. Reported in run.json and in one line.
@@ -45,6 +48,9 @@ struct SceneOptions {
   bool one_sided = false;               ///< faces that differ by orientation are no duplicates
   bool merge_coplanar = false;          ///< join exactly coplanar neighbours of one group
   double heal = 0;                      ///< close cracks up to this width (scene/cracks.h)
+  /// Groups whose surfaces are to be seen, by their names or the names of their OBJ objects; all
+  /// where there are none.
+  std::vector<std::string> targets = {};
 };
 
 /// A polygonal scene on its lattice: input to everything else, immutable once made.
@@ -68,7 +74,10 @@ struct Scene {
 ///
 /// Errors: InputError for a file that is missing, empty, malformed, has an index out of range, a
 /// coordinate that is not finite, a face with fewer than 3 corners, a face that crosses itself,
-/// or no face with area.
+/// or no face with area; for a target that is no group.
 Scene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
+
+/// The same from what has been read.
+Scene make_scene(PolygonSoup soup, const SceneOptions& options = {});
 
 }  // namespace viewcover

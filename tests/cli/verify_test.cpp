@@ -69,6 +69,20 @@ class Verify : public ::testing::Test {
   ScratchFolder folder_;
 };
 
+TEST_F(Verify, HoldsForARunWithTargets) {
+  solve({"--target", "floor", "--target", "rug", "--regions", "16"});
+  const Json run = run_json(bundle());
+  EXPECT_EQ(run.at("options").at("targets"), Json({"floor", "rug"}));
+  const Table elements(bundle() / "elements.csv");
+  std::set<std::string> seen;
+  for (const auto& row : elements.rows) {
+    if (row[elements.column("times_visible")] != "0") seen.insert(row[elements.column("group")]);
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"floor", "rug"}));
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+}
+
 TEST_F(Verify, AnUntouchedBundleHolds) {
   const Outcome outcome = verify();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;

@@ -131,6 +131,26 @@ std::vector<WholeFace> faces_of_file(const std::filesystem::path& file, const La
   return faces;
 }
 
+TEST_F(LoadScene, TargetsAreGroupsByTheirNamesOrTheirObjects) {
+  const std::string text =
+      std::string(kSquare) +
+      "v 0 0 2\no room\ng floor\nf 1 2 3 4\ng wall\nf 1 2 5\no roomy\nf 2 3 5\n";
+  const auto targets = [&](const std::vector<std::string>& names) {
+    std::string is_target;
+    for (const Surface& surface : load(text, {.lattice_exponent = {}, .targets = names}).surfaces) {
+      is_target += surface.is_target ? '1' : '0';
+    }
+    return is_target;
+  };
+  EXPECT_EQ(targets({}), "111");
+  EXPECT_EQ(targets({"room/wall"}), "010");
+  EXPECT_EQ(targets({"room"}), "110");
+  EXPECT_EQ(targets({"room/floor", "roomy/wall"}), "101");
+  EXPECT_THAT(error(text, {.lattice_exponent = {}, .targets = {"roof"}}),
+              AllOf(StartsWith("--target: "), HasSubstr("no group \"roof\""),
+                    HasSubstr("room/floor, room/wall, roomy/wall")));
+}
+
 TEST_F(LoadScene, FillsEverythingIn) {
   const Scene scene = load(std::string(kSquare) + "v 0 0 2\ng floor\nf 1 2 3 4\ng wall\nf 1 2 5\n");
   EXPECT_EQ(scene.name, "a");
