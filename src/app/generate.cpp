@@ -17,6 +17,9 @@ namespace {
 /// Beyond this a soup's file has gigabytes.
 constexpr std::uint64_t kMostTriangles = 10'000'000;
 
+/// Farther out the lattice of a scene would move their corners.
+constexpr std::uint64_t kMostRooms = 40;
+
 struct GenerateOptions {
   CommonOptions common;
   std::string file;
@@ -24,6 +27,7 @@ struct GenerateOptions {
   std::string name;
   bool list = false;
   std::string triangles;
+  std::string rooms;
   std::string polygon, height = "1";
 };
 
@@ -62,13 +66,21 @@ void list_analytic_scenes() {
   print_out(text);
 }
 
+RoomDetail detail_of(const GenerateOptions& options) {
+  if (options.detail == "simple") return RoomDetail::kSimple;
+  if (options.detail == "complex") return RoomDetail::kComplex;
+  throw InputError("--detail", "'" + options.detail + "' is no kind of living room",
+                   "use simple or complex");
+}
+
 void generate_living_room(const GenerateOptions& options) {
   seed_of(options);  // the rooms are fixed; the option is still checked
-  if (options.detail != "simple" && options.detail != "complex") {
-    throw InputError("--detail", "'" + options.detail + "' is no kind of living room",
-                     "use simple or complex");
-  }
-  write(living_room(options.detail == "simple" ? RoomDetail::kSimple : RoomDetail::kComplex),
+  write(living_room(detail_of(options)), options);
+}
+
+void generate_rooms(const GenerateOptions& options) {
+  seed_of(options);
+  write(row_of_rooms(count_option("--rooms", options.rooms, 1, kMostRooms), detail_of(options)),
         options);
 }
 
@@ -128,6 +140,10 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   add_kind("living-room", "a furnished living room of 316 or 1228 polygons", generate_living_room)
       ->add_option("--detail", options->detail, "simple (316, default) or complex (1228)")
       ->type_name("KIND");
+  CLI::App* const rooms =
+      add_kind("rooms", "living rooms in a row with open doors between them", generate_rooms);
+  rooms->add_option("--rooms", options->rooms, "how many")->type_name("N")->required();
+  rooms->add_option("--detail", options->detail, "simple (default) or complex")->type_name("KIND");
   CLI::App* const analytic =
       add_kind("analytic", "a scene whose answer is known", generate_analytic);
   analytic->add_option("name", options->name, "which one")->type_name("NAME");

@@ -4,14 +4,18 @@
 
 namespace viewcover {
 
-/// From now on the first SIGINT sets interrupt_flag(), a second one ends the process; SIGXFSZ and
+/// From now on the first SIGINT or SIGTERM sets interrupt_flag(), a second one ends the process;
+/// SIGXFSZ and
 /// SIGPIPE are ignored, so that writing fails with a reason instead.
 void install_signal_handlers();
 
-/// Set by the first SIGINT, never reset.
+/// Set by the first SIGINT or SIGTERM and by interrupt(), never reset.
 const std::atomic<bool>& interrupt_flag();
 
-/// While it lives, SIGINT also sets `target`, at once if it has come already. One at a time.
+/// Does what the first SIGINT does. Thread-safe.
+void interrupt();
+
+/// While it lives, an interrupt also sets `target`, at once if it has come already. One at a time.
 class ForwardInterrupt {
  public:
   explicit ForwardInterrupt(std::atomic<bool>& target);

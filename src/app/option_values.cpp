@@ -1,5 +1,7 @@
 #include "app/option_values.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -51,8 +53,7 @@ double number_option(std::string_view option, std::string_view text, double leas
   double number = 0;
   if (parse(text, number) && number >= least && number <= most) return number;
   throw InputError(option, "'" + std::string(text) + "' is no number in range",
-                   "give " + std::to_string(static_cast<int>(least)) + " to " +
-                       std::to_string(static_cast<int>(most)));
+                   fmt::format("give {} to {}", least, most));
 }
 
 double positive_option(std::string_view option, std::string_view text) {
@@ -61,6 +62,25 @@ double positive_option(std::string_view option, std::string_view text) {
 
 double non_negative_option(std::string_view option, std::string_view text) {
   return finite_number(option, text, true);
+}
+
+std::uint64_t bytes_option(std::string_view option, std::string_view text) {
+  constexpr std::string_view kSuffixes = "KMGT";
+  constexpr double kLeast = 0x1p20, kMost = 0x1p60;
+  std::string_view digits = text;
+  double bytes = 0, unit = 1;
+  if (!digits.empty()) {
+    const std::size_t power = kSuffixes.find(digits.back());
+    if (power != std::string_view::npos) {
+      unit = std::ldexp(1, static_cast<int>(10 * (power + 1)));
+      digits.remove_suffix(1);
+    }
+  }
+  if (!parse(digits, bytes) || !(bytes * unit >= kLeast && bytes * unit <= kMost)) {
+    throw InputError(option, "'" + std::string(text) + "' is no size of 1M or more",
+                     "give a number of bytes, such as 500M or 8G");
+  }
+  return static_cast<std::uint64_t>(bytes * unit);
 }
 
 void require_available(std::string_view option, std::string_view value,

@@ -21,6 +21,9 @@ double positive_option(std::string_view option, std::string_view text);
 /// A finite number >= 0.
 double non_negative_option(std::string_view option, std::string_view text);
 
+/// A size of at least 1 MiB as bytes: a number and, for powers of 1024, K, M, G or T.
+std::uint64_t bytes_option(std::string_view option, std::string_view text);
+
 /// Refuses a value that is not among `available`, as `--option value: not in this version; use
 /// ...`.
 void require_available(std::string_view option, std::string_view value,

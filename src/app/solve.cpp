@@ -11,6 +11,7 @@
 #include "app/console.h"
 #include "app/exit_codes.h"
 #include "app/interrupt.h"
+#include "app/memory_limit.h"
 #include "app/progress.h"
 #include "app/solve_options.h"
 #include "app/solve_tables.h"
@@ -21,6 +22,7 @@
 #include "optim/stopwatch.h"
 #include "report/audit_files.h"
 #include "report/bundle.h"
+#include "report/checkpoint.h"
 #include "scene/error.h"
 #include "show/figure.h"
 #include "viewpoints/viewpoint_search.h"
@@ -37,9 +39,33 @@ void stop_if_interrupted() {
   if (interrupt_flag()) throw Interrupted();
 }
 
+/// The sums by name; names of a backend do not change while it decides.
+BackendStatistics sum(BackendStatistics a, const BackendStatistics& b) {
+  for (const auto& [name, count] : b) {
+    const auto same = std::ranges::find(a, name, [](const auto& entry) { return entry.first; });
+    if (same == a.end()) {
+      a.emplace_back(name, count);
+    } else {
+      same->second += count;
+    }
+  }
+  return a;
+}
+
+/// Goes on from what the checkpoint has, whose statistics are left in `before`.
 LinkSet find_links(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                    const VisibilityBackend& backend, const RefineOptions& refine_options,
-                   const SolveOptions& options) {
+                   const SolveOptions& options, Checkpoint& checkpoint, BackendStatistics& before) {
+  VisibilityState state;
+  if (options.resume) state = checkpoint.load();
+  before = std::move(state.statistics);
+  RefineCheckpoints checkpoints{.batches_done = state.batches,
+                                .links = std::move(state.links),
+                                .seconds = options.checkpoint_seconds,
+                                .save = [&](std::size_t batches, const LinkSet& links) {
+                                  checkpoint.save(batches, links,
+                                                  sum(before, backend.statistics()));
+                                }};
   RefineProgress progress;
   const ForwardInterrupt forward(progress.stop);
   const Progress shown(
@@ -49,7 +75,7 @@ LinkSet find_links(const Scene& scene, const ClusterTree& clusters, const Viewin
       },
       options.quiet);
   return tbb::task_arena(options.threads).execute([&] {
-    return refine(scene, clusters, region, backend, refine_options, &progress);
+    return refine(scene, clusters, region, backend, refine_options, &progress, &checkpoints);
   });
 }
 
@@ -144,15 +170,32 @@ void audit_viewpoints(const Solution& solution, const Bundle& bundle, const Solv
   tbb::task_arena(options.threads).execute([&] { write_audit(task, bundle.folder(), audit); });
 }
 
-/// The exit code; says what is missing.
-int end_of(const Solution& solution, const SolveOptions& options) {
+void print_summary(const Json& record) {
+  print_out(summary_line(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// The exit code of a complete run; says what is missing.
+int end_of(const Json& record, const SolveOptions& options) {
   const std::size_t missing =
-      solution.viewpoints != nullptr ? solution.viewpoints->missing.size() : 0;
+      record.at("results").value("elements_from_no_position", std::size_t{0});
   if (missing > 0 && !options.quiet) {
     print_error_line(fmt::format(
         "{} elements that a region sees are seen from none of the viewpoints", missing));
   }
-  return solution.time_limit_reached() || missing > 0 ? kLimitReached : kDone;
+  const bool limit_reached = record.at("measured").at("time_limit_reached");
+  return limit_reached || missing > 0 ? kLimitReached : kDone;
+}
+
+/// What `--resume` does with a run that has ended.
+int end_of_complete_run(const SolveOptions& options) {
+  const Json record = read_complete_run(options.output);
+  if (!options.quiet) {
+    print_error_line(options.output.string() + ": complete; nothing is left to be done");
+  }
+  // One that was killed between its last two steps.
+  Checkpoint(options.output).remove();
+  print_summary(record);
+  return end_of(record, options);
 }
 
 int solve(const SolveOptions& options) {
@@ -176,16 +219,24 @@ int solve(const SolveOptions& options) {
   const RefineOptions refine_options{
       .element_area = options.element_area.value_or(default_element_area(scene)),
       .one_sided = options.one_sided};
-  Bundle bundle(options.output,
-                make_run_record(options.scene_file, options.region_file, scene, options.seed,
-                                options.to_json(refine_options.element_area), options.threads));
+  Json record = make_run_record(options.scene_file, options.region_file, scene, options.seed,
+                                options.to_json(refine_options.element_area), options.threads);
+  if (options.resume && state_of_run(options.output, record) == RunState::kComplete) {
+    return end_of_complete_run(options);
+  }
+  Bundle bundle(options.output, std::move(record));
+  Checkpoint checkpoint(options.output);
+  if (!options.resume) checkpoint.remove();
+  const MemoryLimit memory_limit(options.memory_limit);
   try {
     RunSeconds seconds;
+    BackendStatistics before;
     const std::unique_ptr<VisibilityBackend> backend =
         options.backend->make(options.backend_options);
     const Stopwatch visibility;
     const ClusterTree clusters(scene);
-    const LinkSet links = find_links(scene, clusters, region, *backend, refine_options, options);
+    const LinkSet links =
+        find_links(scene, clusters, region, *backend, refine_options, options, checkpoint, before);
     const VisibilityMatrix matrix = make_visibility_matrix(scene, region, links);
     seconds.visibility = visibility.seconds();
     stop_if_interrupted();
@@ -207,26 +258,26 @@ int solve(const SolveOptions& options) {
                             links,
                             matrix,
                             cover,
-                            backend->statistics(),
+                            sum(before, backend->statistics()),
                             viewpoints ? &*viewpoints : nullptr};
     bundle.write(solution);
     audit_viewpoints(solution, bundle, options);
     stop_if_interrupted();
     seconds.total = total.seconds();
     bundle.complete(solution, backend->guarantee(), seconds);
+    checkpoint.remove();
     if (!options.quiet) print_out(solve_tables(solution, backend->guarantee(), seconds) + "\n");
-    print_out(summary_line(solution, backend->name(), backend->guarantee(), seconds)
-                  .dump(-1, ' ', false, Json::error_handler_t::replace) +
-              "\n");
-    return end_of(solution, options);
+    print_summary(bundle.record());
+    return end_of(bundle.record(), options);
   } catch (const Interrupted&) {
     // It has said so from the beginning; the reason is a courtesy that a full disk may prevent.
     try {
-      bundle.abandon("interrupted");
+      bundle.abandon(memory_limit.reached() ? "memory limit" : "interrupted");
     } catch (const InputError&) {
     }
+    if (memory_limit.reached()) throw MemoryLimit::error();
     print_error_line("interrupted; the bundle in " + options.output.string() +
-                     " is marked incomplete");
+                     " is marked incomplete; --resume continues it");
     return kInterrupted;
   }
 }

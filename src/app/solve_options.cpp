@@ -35,7 +35,6 @@ void refuse_what_is_not_here(const SolveText& text) {
   require_available("--sampling", text.sampling, std::array{"plain"sv, "stratified"sv});
   require_available("--viewpoints", text.viewpoints, std::array{"sa"sv, "none"sv});
   require_available("--coverage", text.coverage, std::array{"elements"sv, "full"sv});
-  if (text.resume) throw InputError("--resume", "not in this version", "start the run anew");
 }
 
 }  // namespace
@@ -95,7 +94,12 @@ void SolveText::add_to(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_flag("--merge-coplanar", merge_coplanar, "join exactly coplanar neighbours");
   command.add_flag("--allow-outside", allow_outside, "accept a region outside the scene");
-  command.add_flag("--resume", resume)->group("");
+  command.add_flag("--resume", resume, "continue the run that is in DIR, if one is");
+  option("--checkpoint", checkpoint,
+         "seconds from one save of the visibility found so far to the next (default: 10)", "S");
+  option("--memory-limit", memory_limit,
+         "end the run when it holds more memory than this, such as 500M or 8G (default: none)",
+         "SIZE");
   add_common_options(command, common);
 }
 
@@ -108,7 +112,8 @@ SolveOptions::SolveOptions(const SolveText& text)
       one_sided(text.one_sided),
       merge_coplanar(text.merge_coplanar),
       targets(text.targets),
-      allow_outside(text.allow_outside) {
+      allow_outside(text.allow_outside),
+      resume(text.resume) {
   require_given("SCENE", text.scene_file, "give a scene file");
   require_given("--region", text.region_file, "give a file with the viewing region");
   require_given("--output", text.output, "give a folder for the results, such as -o results");
@@ -155,6 +160,10 @@ SolveOptions::SolveOptions(const SolveText& text)
       throw InputError("--close-gap", "random rays prove no lower bound",
                        "use it with --backend exact");
     }
+  }
+  checkpoint_seconds = non_negative_option("--checkpoint", text.checkpoint);
+  if (!text.memory_limit.empty()) {
+    memory_limit = bytes_option("--memory-limit", text.memory_limit);
   }
   if (!text.heal.empty()) heal = positive_option("--heal", text.heal);
   if (!text.lattice.empty()) {

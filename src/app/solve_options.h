@@ -19,7 +19,8 @@ struct SolveText {
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
   std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
-  std::string clearance = "0", time_limit, close_gap, lattice, heal;
+  std::string clearance = "0", time_limit, close_gap, lattice, heal, memory_limit;
+  std::string checkpoint = "10";
   std::vector<std::string> targets;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
 
@@ -50,6 +51,9 @@ struct SolveOptions {
   double heal = 0;
   std::vector<std::string> targets;  ///< none: all groups
   bool allow_outside = false;
+  bool resume = false;             ///< continue what is in `output`
+  double checkpoint_seconds = 10;  ///< from one save of the visibility so far to the next
+  std::uint64_t memory_limit = 0;  ///< bytes; 0: none
 
   /// Errors: InputError for a value out of range or one that is not available.
   explicit SolveOptions(const SolveText& text);

@@ -1,6 +1,7 @@
 #include "links/link_set.h"
 
 #include <cassert>
+#include <optional>
 #include <utility>
 
 namespace viewcover {
@@ -8,11 +9,14 @@ namespace {
 
 constexpr std::uint32_t kMore = 0x80;
 
-void put(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
+// In groups of 7 bits, the lowest first.
+template <class Bytes>
+void put(Bytes& bytes, std::uint64_t number) {
+  using Byte = typename Bytes::value_type;
   for (; number >= kMore; number >>= 7) {
-    bytes.push_back(static_cast<std::uint8_t>(number | kMore));
+    bytes.push_back(static_cast<Byte>(static_cast<std::uint8_t>(number | kMore)));
   }
-  bytes.push_back(static_cast<std::uint8_t>(number));
+  bytes.push_back(static_cast<Byte>(static_cast<std::uint8_t>(number)));
 }
 
 std::uint32_t take(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
@@ -23,6 +27,39 @@ std::uint32_t take(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
     if (byte < kMore) return number;
   }
 }
+
+template <class Owner>
+void put_node(std::string& bytes, QuadAddress<Owner> node) {
+  put(bytes, std::uint64_t{node.owner().value} + 1);
+  put(bytes, static_cast<std::uint64_t>(node.level()));
+  put(bytes, node.path());
+}
+
+/// Takes numbers off the front of bytes that need not be any.
+class NumberReader {
+ public:
+  explicit NumberReader(std::string_view bytes) : bytes_(bytes) {}
+
+  bool at_end() const { return bytes_.empty(); }
+  std::optional<std::uint64_t> number() {
+    std::uint64_t number = 0;
+    for (int shift = 0; shift < 64 && !bytes_.empty(); shift += 7) {
+      const auto byte = static_cast<std::uint8_t>(bytes_.front());
+      bytes_.remove_prefix(1);
+      number |= static_cast<std::uint64_t>(byte & (kMore - 1)) << shift;
+      if (byte < kMore) return number;
+    }
+    return std::nullopt;
+  }
+  template <class Owner>
+  std::optional<QuadAddress<Owner>> node() {
+    const auto owner = number(), level = number(), path = number();
+    return path ? QuadAddress<Owner>::from_file(*owner, *level, *path) : std::nullopt;
+  }
+
+ private:
+  std::string_view bytes_;
+};
 
 }  // namespace
 
@@ -72,6 +109,47 @@ std::vector<OccluderId> LinkSet::occluders(std::size_t index) const {
     next = id + 1;
   }
   return list;
+}
+
+std::string LinkSet::to_bytes(std::size_t first) const {
+  std::string bytes;
+  for (std::size_t i = first; i < size(); ++i) {
+    put_node(bytes, links_[i].region);
+    put_node(bytes, links_[i].element);
+    put(bytes, static_cast<std::uint64_t>(links_[i].verdict));
+    const std::vector<OccluderId> list = occluders(i);
+    put(bytes, list.size());
+    std::uint32_t next = 0;
+    for (const OccluderId id : list) {
+      put(bytes, id.value - next);
+      next = id.value + 1;
+    }
+  }
+  return bytes;
+}
+
+bool LinkSet::add_bytes(std::string_view bytes) {
+  NumberReader reader(bytes);
+  std::vector<OccluderId> list;
+  while (!reader.at_end()) {
+    const auto region = reader.node<PartId>();
+    const auto element = reader.node<SurfaceId>();
+    const auto verdict = reader.number(), occluders = reader.number();
+    if (!region || !element || !occluders || *verdict >= kVerdictCount ||
+        !is_visible(static_cast<Verdict>(*verdict))) {
+      return false;
+    }
+    list.clear();
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < *occluders; ++i) {
+      const auto step = reader.number();
+      if (!step || *step > UINT32_MAX || next + *step > UINT32_MAX) return false;
+      list.emplace_back(static_cast<std::size_t>(next + *step));
+      next += *step + 1;
+    }
+    add({*region, *element, static_cast<Verdict>(*verdict)}, list);
+  }
+  return true;
 }
 
 std::size_t LinkSet::memory_bytes() const {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "links/verdict.h"
@@ -39,6 +41,15 @@ class LinkSet {
   std::uint64_t verdicts(Verdict verdict) const {
     return verdicts_[static_cast<std::size_t>(verdict)];
   }
+  /// Links [first, size()) with their lists as bytes, for files.
+  std::string to_bytes(std::size_t first) const;
+  /// Appends what to_bytes made and counts its verdicts; false, with some of it appended, for bytes
+  /// that are none.
+  bool add_bytes(std::string_view bytes);
+  void set_verdicts(Verdict verdict, std::uint64_t count) {
+    verdicts_[static_cast<std::size_t>(verdict)] = count;
+  }
+
   /// Bytes held, lists included.
   std::size_t memory_bytes() const;
 

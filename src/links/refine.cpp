@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -24,6 +25,14 @@ constexpr std::size_t kOccludersPerCluster = 16;
 
 // Pairs of finest nodes below which a subtree is refined by one thread: some milliseconds.
 constexpr double kPairsPerTask = 512;
+
+// Batches of a refinement that can be continued: small parts of a large scene, and so many in the
+// first wave that a small scene is done with the second.
+constexpr std::uint32_t kBatchesPerPart = 256;
+constexpr std::size_t kFirstWave = 16;
+constexpr double kLargestGrowth = 64;
+// Of the time between checkpoints: a wave that ended a little early is saved.
+constexpr double kSoonEnough = 0.5;
 
 struct RegionNode : PlanarPolygon {
   RegionAddress address;
@@ -112,13 +121,65 @@ class Refinement {
     total_pairs_ *= static_cast<double>(region.region_count());
   }
 
-  LinkSet part(PartId part) const {
-    const ShaftOccluder everything{.node = 0};
-    return visit_cluster(regions_[RegionAddress(part)], 0, {&everything, 1});
+  /// A part of the region and a cluster, with the occluders that may be between them.
+  struct Batch {
+    PartId part;
+    ClusterNode cluster = 0;
+    ShaftOccluders candidates;
+  };
+
+  /// In the order of refinement; together all pairs of the region and the scene.
+  std::vector<Batch> batches(std::size_t parts) const {
+    std::vector<Batch> all;
+    for (std::size_t part = 0; part < parts; ++part) {
+      ShaftOccluders everything;
+      everything.push_back({.node = 0});
+      add_batches({PartId(part), 0, everything}, all);
+    }
+    return all;
+  }
+
+  LinkSet visit(const Batch& batch) const {
+    return visit_cluster(regions_[RegionAddress(batch.part)], batch.cluster, batch.candidates);
+  }
+
+  /// Reports batches that another run has done.
+  void skip(std::span<const Batch> done, std::size_t links) const {
+    double pairs = 0;
+    for (const Batch& batch : done) {
+      pairs += pairs_of(clusters_.nodes()[batch.cluster]) *
+               regions_.leaves(regions_[RegionAddress(batch.part)]);
+    }
+    report(pairs, links);
   }
 
  private:
   using Candidates = std::span<const ShaftOccluder>;
+
+  void add_batches(const Batch& batch, std::vector<Batch>& all) const {
+    const ClusterTree::Node& node = clusters_.nodes()[batch.cluster];
+    if (node.count > clusters_.nodes()[0].count / kBatchesPerPart && !node.is_leaf()) {
+      const Shaft shaft(occluders_, regions_[RegionAddress(batch.part)], node.box);
+      ShaftOccluders kept;
+      if (!cull(shaft, batch.candidates, kOccludersPerCluster, kept)) {
+        add_batches({batch.part, batch.cluster + 1, kept}, all);
+        add_batches({batch.part, node.right, kept}, all);
+        return;
+      }
+    }
+    all.push_back(batch);
+  }
+
+  /// Pairs of one region and the finest elements of a cluster's targets.
+  double pairs_of(const ClusterTree::Node& node) const {
+    double pairs = 0;
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+      const OccluderId place(node.first + i);
+      if (!scene_[clusters_.surface(place)].is_target) continue;
+      pairs += leaves(area(occluders_.polygon(place)));
+    }
+    return pairs;
+  }
 
   /// Everything in a cluster, seen from a region that is not subdivided yet.
   LinkSet visit_cluster(const RegionNode& region, ClusterNode index, Candidates candidates) const {
@@ -138,14 +199,12 @@ class Refinement {
     ShaftOccluders kept;
     LinkSet links;
     if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
-      double pairs = 0;
       for (std::uint32_t i = 0; i < node.count; ++i) {
-        const OccluderId place(node.first + i);
-        if (!scene_[clusters_.surface(place)].is_target) continue;
-        pairs += leaves(area(occluders_.polygon(place)));
-        links.count(Verdict::kHiddenByOne);
+        if (scene_[clusters_.surface(OccluderId(node.first + i))].is_target) {
+          links.count(Verdict::kHiddenByOne);
+        }
       }
-      report(pairs * regions_.leaves(region), 0);
+      report(pairs_of(node) * regions_.leaves(region), 0);
       return links;
     }
     const std::array<ClusterNode, 2> children = {index + 1, node.right};
@@ -311,7 +370,7 @@ class Refinement {
 
 LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                const VisibilityBackend& backend, const RefineOptions& options,
-               RefineProgress* progress) {
+               RefineProgress* progress, RefineCheckpoints* checkpoints) {
   double largest = 0;
   for (const Surface& surface : scene.surfaces) {
     largest = std::max(largest, area(surface.polygon));
@@ -325,9 +384,36 @@ LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingReg
         "use " + std::to_string(std::ldexp(largest, -2 * kMaxSubdivisionLevel)) + " or more");
   }
   const Refinement refinement(scene, clusters, region, backend, options, progress);
+  const std::vector<Refinement::Batch> batches = refinement.batches(region.parts.size());
   LinkSet links;
-  for (std::size_t part = 0; part < region.parts.size(); ++part) {
-    links.append(refinement.part(PartId(part)));
+  std::size_t done = 0;
+  if (checkpoints != nullptr) {
+    links = std::move(checkpoints->links);
+    done = checkpoints->batches_done;
+    refinement.skip(std::span(batches).first(done), links.size());
+  }
+  // Threads wait for each other at the end of a wave; so a wave lasts as long as the time from one
+  // checkpoint to the next.
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+  std::size_t wave = checkpoints != nullptr ? batches.size() / kFirstWave + 1 : batches.size();
+  Clock::time_point saved = Clock::now();
+  while (done < batches.size()) {
+    const Clock::time_point start = Clock::now();
+    wave = std::min(wave, batches.size() - done);
+    std::vector<LinkSet> found(wave);
+    tbb::parallel_for(std::size_t{0}, wave,
+                      [&](std::size_t i) { found[i] = refinement.visit(batches[done + i]); });
+    for (LinkSet& part : found) links.append(std::move(part));
+    done += wave;
+    if (checkpoints == nullptr) continue;
+    const Clock::time_point now = Clock::now();
+    const double scale =
+        std::min(checkpoints->seconds / Seconds(now - start).count(), kLargestGrowth);
+    wave = static_cast<std::size_t>(static_cast<double>(wave) * scale) + 1;
+    if (Seconds(now - saved).count() < kSoonEnough * checkpoints->seconds) continue;
+    checkpoints->save(done, links);
+    saved = now;
   }
   return links;
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 
 #include "links/link_set.h"
 #include "links/visibility_backend.h"
@@ -23,13 +24,23 @@ struct RefineOptions {
   bool one_sided = false;   ///< only the front of a surface counts as visible
 };
 
+/// Makes a long refinement one that can be ended at any moment and continued: it goes through
+/// batches in an order that does not depend on what happens, and tells from time to time how many
+/// are done and what links they have.
+struct RefineCheckpoints {
+  std::size_t batches_done = 0;  ///< to start after
+  LinkSet links;                 ///< of these batches
+  double seconds = 10;           ///< from one call of `save` to the next, about
+  std::function<void(std::size_t batches_done, const LinkSet& links)> save;
+};
+
 /// Hierarchical visibility (paper, section 2.2, figure 4): all links between the viewing region and
 /// the scene's targets. Uses all threads of the current TBB arena; the result does not depend on
-/// their number. Errors: InputError if element_area asks for more than kMaxSubdivisionLevel levels;
-/// Interrupted.
+/// their number, nor on whether and where it was continued. Errors: InputError if element_area asks
+/// for more than kMaxSubdivisionLevel levels; Interrupted; what `save` throws.
 LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                const VisibilityBackend& backend, const RefineOptions& options,
-               RefineProgress* progress = nullptr);
+               RefineProgress* progress = nullptr, RefineCheckpoints* checkpoints = nullptr);
 
 /// 1 % of the mean surface area of the faces of the scene's bounding box (a sixth of its surface).
 double default_element_area(const Scene& scene);

@@ -27,6 +27,9 @@ enum class Guarantee {
   kExact,             ///< every verdict is a theorem
 };
 
+/// Counts by name.
+using BackendStatistics = std::vector<std::pair<std::string, std::uint64_t>>;
+
 /// How hard a backend must try.
 enum class Effort {
   kCheap,  ///< the shaft is subdivided unless it is hidden or fully visible: a backend may leave
@@ -68,7 +71,7 @@ class VisibilityBackend {
 
   /// Counts that tell how decisions were reached, by name, since the backend was made; the same for
   /// any number of threads.
-  virtual std::vector<std::pair<std::string, std::uint64_t>> statistics() const { return {}; }
+  virtual BackendStatistics statistics() const { return {}; }
 
  protected:
   VisibilityBackend() = default;

@@ -24,6 +24,7 @@ Bundle::Bundle(std::filesystem::path folder, Json record)
   }
   record_["complete"] = false;
   write_record();
+  remove_temporary_files(folder_);
 }
 
 void Bundle::write(const Solution& solution) const {

@@ -16,7 +16,7 @@ namespace viewcover {
 class Bundle {
  public:
   /// Makes the folder if needed. A bundle already there is made incomplete before anything else
-  /// of it changes.
+  /// of it changes; then what a killed run left half written goes.
   Bundle(std::filesystem::path folder, Json record);
 
   /// Writes all tables and pictures of the scene.
@@ -28,6 +28,8 @@ class Bundle {
   void abandon(std::string_view reason);
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// As it stands in run.json.
+  const Json& record() const { return record_; }
 
  private:
   void write_record() const;

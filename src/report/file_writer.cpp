@@ -7,11 +7,14 @@
 #include <cerrno>
 #include <charconv>
 #include <system_error>
+#include <vector>
 
 #include "scene/error.h"
 
 namespace viewcover {
 namespace {
+
+constexpr std::string_view kTemporaryPrefix = ".part.";
 
 /// std::to_chars without a format gives at most 24 characters for a double.
 using DecimalBuffer = std::array<char, 32>;
@@ -24,7 +27,21 @@ std::string_view decimal(double number, DecimalBuffer& buffer) {
 }  // namespace
 
 std::filesystem::path temporary_beside(const std::filesystem::path& file) {
-  return file.parent_path() / (".part." + file.filename().string());
+  return file.parent_path() / (std::string(kTemporaryPrefix) + file.filename().string());
+}
+
+void remove_temporary_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with(kTemporaryPrefix)) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& file : left) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error) throw InputError(file.string(), "cannot be removed: " + error.message(), "");
+  }
 }
 
 void rename_into_place(const std::filesystem::path& temporary, const std::filesystem::path& file) {

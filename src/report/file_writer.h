@@ -51,6 +51,9 @@ class FileWriter {
 /// The path under which a file is made before it takes its name: beside it and with its suffix.
 std::filesystem::path temporary_beside(const std::filesystem::path& file);
 
+/// Removes such files of a folder. Errors: InputError.
+void remove_temporary_files(const std::filesystem::path& folder);
+
 /// Gives a finished temporary file its name. Errors: InputError.
 void rename_into_place(const std::filesystem::path& temporary, const std::filesystem::path& file);
 

@@ -41,6 +41,13 @@ std::uint64_t peak_memory_kb() {
   return static_cast<std::uint64_t>(usage.ru_maxrss);  // kilobytes on Linux
 }
 
+std::uint64_t resident_memory() {
+  std::ifstream statm("/proc/self/statm");
+  std::uint64_t size = 0, resident = 0;
+  statm >> size >> resident;
+  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);
   std::tm fields{};

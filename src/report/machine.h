@@ -17,6 +17,9 @@ Machine this_machine();
 /// Largest resident memory of this process so far, kilobytes.
 std::uint64_t peak_memory_kb();
 
+/// Resident memory of this process now, bytes.
+std::uint64_t resident_memory();
+
 /// Now, in UTC, such as "2024-05-31T12:00:00Z".
 std::string utc_now();
 

@@ -89,7 +89,9 @@ void add_results(Json& record, const Solution& solution, Guarantee guarantee,
                        {"optimal_regions", solution.cover.size()},
                        {"chosen", chosen},
                        {"regions_lower_bound", solution.cover.lower_bound},
-                       {"proved", solution.cover.proved()}};
+                       {"proved", solution.cover.proved()},
+                       {"lower_bound", nullptr}};
+  if (guarantee == Guarantee::kExact) record["results"]["lower_bound"] = solution.lower_bound();
   if (const ViewpointSet* set = solution.viewpoints) {
     Json& results = record["results"];
     results["viewpoints"] = set->viewpoints.size();
@@ -116,27 +118,21 @@ void add_results(Json& record, const Solution& solution, Guarantee guarantee,
   measured["link_memory_bytes"] = solution.links.memory_bytes();
 }
 
-Json summary_line(const Solution& solution, std::string_view backend, Guarantee guarantee,
-                  const RunSeconds& seconds) {
+Json summary_line(const Json& record) {
+  const Json &scene = record.at("scene"), &results = record.at("results"),
+             &measured = record.at("measured");
   Json line;
-  line["scene"] = solution.scene.name;
-  line["backend"] = backend;
-  line["polygons"] = solution.scene.surfaces.size();
-  line["regions"] = solution.region.region_count();
-  line["elements"] = solution.matrix.elements.size();
-  line["visible_elements"] = visible_elements(solution.matrix);
-  line["links"] = solution.links.size();
-  line["optimal_regions"] = solution.cover.size();
-  line["proved"] = solution.cover.proved();
-  line["lower_bound"] = nullptr;
-  if (guarantee == Guarantee::kExact) line["lower_bound"] = solution.lower_bound();
-  line["viewpoints"] = nullptr;
-  if (solution.viewpoints != nullptr) line["viewpoints"] = solution.viewpoints->viewpoints.size();
-  if (solution.viewpoints != nullptr && solution.viewpoints->full != nullptr) {
-    line["imaged_percent"] = solution.viewpoints->full->imaged_percent.back();
+  line["scene"] = scene.at("name");
+  line["backend"] = record.at("options").at("backend");
+  line["polygons"] = scene.at("polygons");
+  for (const char* key : {"regions", "elements", "visible_elements", "links", "optimal_regions",
+                          "proved", "lower_bound"}) {
+    line[key] = results.at(key);
   }
-  line["seconds"] = seconds_of(seconds);
-  line["peak_memory_kb"] = peak_memory_kb();
+  line["viewpoints"] = results.value("viewpoints", Json());
+  if (results.contains("imaged_percent")) line["imaged_percent"] = results.at("imaged_percent");
+  line["seconds"] = measured.at("seconds");
+  line["peak_memory_kb"] = measured.at("peak_memory_kb");
   return line;
 }
 

@@ -32,10 +32,9 @@ Json make_run_record(const std::filesystem::path& scene_file,
 void add_results(Json& record, const Solution& solution, Guarantee guarantee,
                  const RunSeconds& seconds);
 
-/// The JSON object that `solve` prints last. `viewpoints` is null if none were looked for;
-/// `lower_bound` is null where the backend's guarantee does not carry a proof.
-Json summary_line(const Solution& solution, std::string_view backend, Guarantee guarantee,
-                  const RunSeconds& seconds);
+/// The JSON object that `solve` prints last, from the record of a complete run. `viewpoints` is
+/// null if none were looked for; `lower_bound` is null where the backend proves none.
+Json summary_line(const Json& record);
 
 /// The run.json of a finished run. Errors: InputError for a folder that has none, one that is
 /// malformed, or a run that is not complete.

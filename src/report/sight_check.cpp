@@ -12,6 +12,7 @@
 #include "report/csv_table.h"
 #include "report/run_record.h"
 #include "scene/random_numbers.h"
+#include "viewpoints/column_bits.h"
 #include "viewpoints/region_positions.h"
 
 namespace viewcover {
@@ -52,8 +53,16 @@ class SightChecker {
   BitRows matrix(const char* name) const {
     return read_cover_file(folder_ / name, CoverFormat::kMatrixMarket);
   }
+  /// Of the scene's targets.
   BitRows seen_from(std::span<const Point> positions) const {
-    return seen_elements(bundle_.scene, clusters_, bundle_.elements, positions, bundle_.one_sided);
+    BitRows seen =
+        seen_elements(bundle_.scene, clusters_, bundle_.elements, positions, bundle_.one_sided);
+    std::vector<BitRows::Word> others(seen.words_per_row());
+    for (std::size_t i = 0; i < bundle_.elements.size(); ++i) {
+      if (!bundle_.scene[bundle_.elements[i].owner()].is_target) add_column(others, i);
+    }
+    for (std::size_t i = 0; i < seen.rows(); ++i) remove_columns(seen.row(i), others);
+    return seen;
   }
 
   void check_viewpoints(bool is_exact) {

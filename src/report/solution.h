@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "links/link_set.h"
+#include "links/visibility_backend.h"
 #include "links/visibility_matrix.h"
 #include "optim/region_cover.h"
 #include "scene/cluster_tree.h"
@@ -23,7 +24,7 @@ struct Solution {
   const LinkSet& links;
   const VisibilityMatrix& matrix;
   const RegionCover& cover;
-  std::vector<std::pair<std::string, std::uint64_t>> backend_statistics{};
+  BackendStatistics backend_statistics{};
   const ViewpointSet* viewpoints = nullptr;  ///< none if they were not looked for
 
   /// Row numbers of the cover, ascending.

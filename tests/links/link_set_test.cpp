@@ -59,5 +59,42 @@ TEST(LinkSet, PacksNearOccludersIntoAByteEach) {
   EXPECT_LE(links.memory_bytes() / links.size(), 2u * (32 + 40));
 }
 
+TEST(LinkSet, GoesThroughBytesInPiecesAndRefusesOthers) {
+  std::mt19937_64 random(2);
+  LinkSet all, read;
+  std::string bytes;
+  for (int piece = 0; piece < 5; ++piece) {
+    const std::size_t before = all.size();
+    for (int i = 0; i < 40; ++i) {
+      all.add({RegionAddress(PartId(random() % 7), 3, random() % 64),
+               ElementAddress(SurfaceId(random() % 1000), 14, random() % (1 << 28)),
+               static_cast<Verdict>(random() % 3)},
+              random_list(random));
+    }
+    bytes = all.to_bytes(before);
+    EXPECT_TRUE(read.add_bytes(bytes));
+  }
+  ASSERT_EQ(read.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(read[i].region, all[i].region);
+    EXPECT_EQ(read[i].element, all[i].element);
+    EXPECT_EQ(read[i].verdict, all[i].verdict);
+    EXPECT_EQ(read.occluders(i), all.occluders(i));
+  }
+  for (std::size_t v = 0; v < 3; ++v) {
+    EXPECT_EQ(read.verdicts(static_cast<Verdict>(v)), all.verdicts(static_cast<Verdict>(v)));
+  }
+  LinkSet other;
+  EXPECT_FALSE(other.add_bytes(std::string_view(bytes).substr(0, bytes.size() - 1)));
+  EXPECT_FALSE(other.add_bytes(std::string(4, '\xff')));
+  EXPECT_FALSE(other.add_bytes(std::string(11, '\x80') + '\1'));
+  // Part 0, a level that is too deep, a verdict that is no link.
+  EXPECT_FALSE(other.add_bytes(std::string_view("\0\0\0\1\0\0\0\0", 8)));
+  EXPECT_FALSE(other.add_bytes(std::string_view("\1\20\0\1\0\0\0\0", 8)));
+  EXPECT_FALSE(other.add_bytes(std::string_view("\1\0\0\1\0\0\5\0", 8)));
+  EXPECT_EQ(other.size(), 39u);
+  EXPECT_TRUE(other.add_bytes(std::string_view("\1\0\0\1\0\0\0\0", 8)));
+}
+
 }  // namespace
 }  // namespace viewcover

@@ -246,6 +246,33 @@ TEST(Refine, GivesTheSameLinksForAnyNumberOfThreads) {
   EXPECT_TRUE(same(one, with_threads(4)));
 }
 
+TEST(Refine, GivesTheSameLinksWhereverItIsContinued) {
+  const RefineCase setup(soup_under_a_ceiling(400, 0.1, 2), 2, 0.01);
+  const HideAtRandom backend;
+  const auto with = [&](RefineCheckpoints* checkpoints, RefineProgress* progress = nullptr) {
+    return refine(setup.scene, setup.clusters, setup.region, backend, setup.options, progress,
+                  checkpoints);
+  };
+  const LinkSet whole = with(nullptr);
+  std::vector<std::pair<std::size_t, LinkSet>> saves;
+  RefineCheckpoints often{.batches_done = 0, .links = {}, .seconds = 0, .save = {}};
+  often.save = [&](std::size_t batches, const LinkSet& links) {
+    saves.emplace_back(batches, links);
+  };
+  EXPECT_TRUE(same(with(&often), whole));
+  ASSERT_GT(saves.size(), 100u);
+  EXPECT_TRUE(same(saves.back().second, whole));
+  for (std::size_t i = 0; i < saves.size(); i += 23) {
+    SCOPED_TRACE(i);
+    RefineProgress progress;
+    RefineCheckpoints later{
+        .batches_done = saves[i].first, .links = saves[i].second, .seconds = 1e9, .save = {}};
+    EXPECT_TRUE(same(with(&later, &progress), whole));
+    EXPECT_NEAR(progress.share_done, 1, 1e-9);
+    EXPECT_EQ(progress.links, whole.size());
+  }
+}
+
 TEST(Refine, ProgressEndsAtOneAndStopInterrupts) {
   const RefineCase setup(soup_under_a_ceiling(100, 0.2, 2), 2, 0.01);
   RefineProgress progress;

@@ -95,5 +95,60 @@ TEST_P(LivingRoom, ShellFacesInwardAndSolidsOutward) {
   EXPECT_LT(volume.at("bookshelf"), 0.4 * carcass);
 }
 
+class RowOfRooms : public ::testing::TestWithParam<RoomDetail> {};
+
+INSTANTIATE_TEST_SUITE_P(Details, RowOfRooms,
+                         ::testing::Values(RoomDetail::kSimple, RoomDetail::kComplex),
+                         [](const auto& detail) {
+                           return detail.param == RoomDetail::kSimple ? "Simple" : "Complex";
+                         });
+
+TEST_P(RowOfRooms, FacesArePlanarConvexDistinctAndDoNotCross) {
+  EXPECT_THAT(faults(row_of_rooms(3, GetParam())), ::testing::IsEmpty());
+}
+
+TEST_P(RowOfRooms, LoadsWithoutRepairAndHasAFreeRegionInEachRoom) {
+  const GeneratedScene rooms = row_of_rooms(40, GetParam());
+  const testing::LoadedScene loaded = testing::load_generated(rooms, 4);
+  EXPECT_EQ(loaded.scene.surfaces.size(), rooms.faces.size());
+  EXPECT_FALSE(loaded.scene.repairs.any()) << loaded.scene.repairs.summary();
+  EXPECT_EQ(loaded.scene.repairs.largest_move, 0);
+  EXPECT_EQ(loaded.region.parts.size(), 40u);
+  EXPECT_EQ(loaded.region.parts[39][0].x() - loaded.region.parts[0][0].x(), 39 * 6.125);
+  for (std::size_t i = 0; i < loaded.scene.surfaces.size(); ++i) {
+    const Surface& surface = loaded.scene.surfaces[i];
+    const std::string& group = loaded.scene.groups[surface.group.value];
+    if (group == "room-40/door") continue;  // its leaf is where another room would begin
+    const double room = std::floor(bounding_box(surface.polygon).min().x() / 6.125);
+    EXPECT_TRUE(group.starts_with("room-" + std::to_string(static_cast<int>(room) + 1) + "/"))
+        << group;
+  }
+}
+
+// The shell is closed, doorways and all: area vectors that add up to 0 and the volume of the rooms
+// with their windows and doors. At either side of a doorway nothing is in the way.
+TEST_P(RowOfRooms, ShellIsOneThroughTheDoorways) {
+  const GeneratedScene rooms = row_of_rooms(3, GetParam());
+  const testing::LoadedScene loaded = testing::load_generated(rooms, 4);
+  Point area = Point::Zero();
+  double volume = 0;
+  for (const Surface& surface : loaded.scene.surfaces) {
+    const std::string name = loaded.scene.groups[surface.group.value].substr(7);
+    const bool is_shell = name == "floor" || name == "ceiling" || name == "window" ||
+                          name == "door" || name.starts_with("wall-");
+    if (is_shell) {
+      area += area_vector(surface.polygon);
+      volume -= surface.polygon[0].dot(area_vector(surface.polygon)) / 6;
+    } else {
+      for (const double doorway : {6.125, 12.25}) {
+        const Box way(Point(doorway - 0.5, 0.5, 0), Point(doorway + 0.375, 1.4, 2));
+        EXPECT_TRUE(way.intersection(bounding_box(surface.polygon)).isEmpty()) << name;
+      }
+    }
+  }
+  EXPECT_EQ(area, Point(0, 0, 0));
+  EXPECT_NEAR(volume, 3 * (6 * 5 * 2.5 + 2 * 0.25 * 1.25 + 0.125 * 0.9 * 2), 0.01);
+}
+
 }  // namespace
 }  // namespace viewcover

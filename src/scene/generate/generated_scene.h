@@ -38,6 +38,11 @@ enum class RoomDetail { kSimple, kComplex };
 /// eye height. Every group is one piece of furniture or one wall.
 GeneratedScene living_room(RoomDetail detail);
 
+/// Such rooms side by side, open doors between them: room-1/sofa, room-2/sofa, ..., a region in
+/// each. What would stand or hang in the way is left out. Requires 1 to 40 rooms: within
+/// 256 m all corners, multiples of 2^-15 m, are on a scene's lattice.
+GeneratedScene row_of_rooms(std::size_t rooms, RoomDetail detail);
+
 /// `triangles` random triangles in the unit cube, above and below a square region at half height.
 /// Their size shrinks like the distance between neighbours, n^(-1/3): near by, all soups look
 /// alike; a line across the cube meets about 0.3 n^(1/3) of them. Same seed, same bytes on every

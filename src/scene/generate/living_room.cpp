@@ -1,3 +1,4 @@
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,17 @@ constexpr double kHeight = 2.5;
 constexpr double kEyeHeight = 1.6015625;  // 205/128: on the lattice
 constexpr double kRug = 3.0 / 256;        // thickness of the rugs
 
-// Closed shell with inward normals: a window set back in the south wall, a door in the east wall.
-void add_shell(SceneBuilder& scene) {
+// The way through the wall between two rooms: floor, height and thickness.
+constexpr double kDoorSouth = 0.5, kDoorNorth = 1.4, kDoorHeight = 2, kDoorDepth = 0.125;
+
+// Which ends of a room lead to another one.
+struct Doorways {
+  bool west = false, east = false;
+};
+
+// Shell with inward normals: a window set back in the south wall, a door in the east wall, closed
+// where it leads nowhere.
+void add_shell(SceneBuilder& scene, Doorways open) {
   const Placement room;
   // Rectangles of the planes x = c and y = c, as seen with the first coordinate to the right.
   const auto along_x = [&](double y, double x0, double x1, double z0, double z1) {
@@ -34,7 +44,13 @@ void add_shell(SceneBuilder& scene) {
   scene.begin_group("wall-north");
   along_x(kDepth, 0, kWidth, 0, kHeight);
   scene.begin_group("wall-west");
-  along_y(0, 0, kDepth, 0, kHeight);
+  if (open.west) {
+    along_y(0, 0, kDoorSouth, 0, kHeight);
+    along_y(0, kDoorNorth, kDepth, 0, kHeight);
+    along_y(0, kDoorSouth, kDoorNorth, kDoorHeight, kHeight);
+  } else {
+    along_y(0, 0, kDepth, 0, kHeight);
+  }
 
   const double w0 = 2;
   const double w1 = 4;
@@ -53,19 +69,19 @@ void add_shell(SceneBuilder& scene) {
   along_y(w0, pane, 0, sill, lintel);
   along_y(w1, 0, pane, sill, lintel);
 
-  const double d0 = 0.5;
-  const double d1 = 1.4;
-  const double door = kWidth + 0.125;
+  const double d0 = kDoorSouth;
+  const double d1 = kDoorNorth;
+  const double door = kWidth + kDoorDepth;
   scene.begin_group("wall-east");
   along_y(kWidth, d0, 0, 0, kHeight);
   along_y(kWidth, kDepth, d1, 0, kHeight);
-  along_y(kWidth, d1, d0, 2, kHeight);
+  along_y(kWidth, d1, d0, kDoorHeight, kHeight);
   scene.begin_group("door");
-  along_y(door, d1, d0, 0, 2);
+  if (!open.east) along_y(door, d1, d0, 0, kDoorHeight);
   level(0, kWidth, door, d0, d1);
-  level(2, kWidth, door, d1, d0);
-  along_x(d0, door, kWidth, 0, 2);
-  along_x(d1, kWidth, door, 0, 2);
+  level(kDoorHeight, kWidth, door, d1, d0);
+  along_x(d0, door, kWidth, 0, kDoorHeight);
+  along_x(d1, kWidth, door, 0, kDoorHeight);
 }
 
 void add_region(SceneBuilder& scene) {
@@ -97,7 +113,8 @@ void add_bookshelf(SceneBuilder& scene, const Placement& at, const Point& size,
   }
 }
 
-void furnish_simple(SceneBuilder& scene) {
+// Nothing stands or hangs in an open way to the west.
+void furnish_simple(SceneBuilder& scene, Doorways open) {
   scene.begin_group("rug");
   add_box(scene, {}, {1.6, 2.2, 0}, {3.0, 3.65, kRug});
   scene.begin_group("sofa");
@@ -122,11 +139,12 @@ void furnish_simple(SceneBuilder& scene) {
   add_floor_lamp(scene, {5.4, 4.6, 0}, Finish::kPlain);
   scene.begin_group("picture");
   add_picture(scene, {1.8, kDepth, 1.4}, 1.0, 0.6, Finish::kPlain);
+  if (open.west) return;
   scene.begin_group("plant");
   add_plant(scene, {0.45, 0.45, 0}, 7, false);
 }
 
-void furnish_complex(SceneBuilder& scene) {
+void furnish_complex(SceneBuilder& scene, Doorways open) {
   scene.begin_group("rug");
   add_box(scene, {}, {1.6, 2.2, 0}, {3.0, 3.65, kRug});
   scene.begin_group("round-rug");
@@ -173,9 +191,11 @@ void furnish_complex(SceneBuilder& scene) {
   scene.begin_group("pictures");
   add_picture(scene, {1.4, kDepth, 1.4}, 0.7, 0.5, Finish::kFine);
   add_picture(scene, {2.4, kDepth, 1.3}, 0.5, 0.7, Finish::kFine);
-  add_picture(scene, {0, 1.6, 1.3, kFacingEast}, 0.9, 0.6, Finish::kFine);
-  scene.begin_group("plant-west");
-  add_plant(scene, {0.45, 0.45, 0}, 8, true);
+  if (!open.west) {
+    add_picture(scene, {0, 1.6, 1.3, kFacingEast}, 0.9, 0.6, Finish::kFine);
+    scene.begin_group("plant-west");
+    add_plant(scene, {0.45, 0.45, 0}, 8, true);
+  }
   scene.begin_group("plant-north");
   add_plant(scene, {4.1, 4.5, 0}, 8, true);
   scene.begin_group("curtains");
@@ -187,14 +207,29 @@ void furnish_complex(SceneBuilder& scene) {
   add_radiator(scene, {2.2, 0.04, 0}, 1.6, 8);
 }
 
+void add_room(SceneBuilder& scene, RoomDetail detail, Doorways open) {
+  add_shell(scene, open);
+  add_region(scene);
+  detail == RoomDetail::kSimple ? furnish_simple(scene, open) : furnish_complex(scene, open);
+}
+
 }  // namespace
 
 GeneratedScene living_room(RoomDetail detail) {
-  const bool simple = detail == RoomDetail::kSimple;
-  SceneBuilder scene(simple ? "viewcover living room, simple" : "viewcover living room, complex");
-  add_shell(scene);
-  add_region(scene);
-  simple ? furnish_simple(scene) : furnish_complex(scene);
+  SceneBuilder scene(detail == RoomDetail::kSimple ? "viewcover living room, simple"
+                                                   : "viewcover living room, complex");
+  add_room(scene, detail, {});
+  return std::move(scene).finish();
+}
+
+GeneratedScene row_of_rooms(std::size_t rooms, RoomDetail detail) {
+  SceneBuilder scene("viewcover row of " + std::to_string(rooms) + " living rooms, " +
+                     (detail == RoomDetail::kSimple ? "simple" : "complex"));
+  for (std::size_t i = 0; i < rooms; ++i) {
+    scene.move_to({static_cast<double>(i) * (kWidth + kDoorDepth), 0, 0},
+                  "room-" + std::to_string(i + 1) + "/");
+    add_room(scene, detail, {.west = i > 0, .east = i + 1 < rooms});
+  }
   return std::move(scene).finish();
 }
 
