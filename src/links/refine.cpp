@@ -273,16 +273,16 @@ class Refinement {
       return true;
     }
     const bool finest = is_finest(region, element);
+    // What goes into the matrix is decided, and stored, with every surface opened.
+    if (finest && !open_all(shaft, kept)) {
+      links.count(Verdict::kHiddenByOne);
+      return true;
+    }
     Verdict verdict = Verdict::kFullyVisible;
     if (!kept.empty()) {
       shaft.set_occluders(kept);
-      verdict = backend_.decide(shaft, finest && all_open(kept) ? Effort::kFull : Effort::kCheap);
+      verdict = backend_.decide(shaft, finest ? Effort::kFull : Effort::kCheap);
       if (verdict == Verdict::kFullyVisible) kept.clear();
-      if (finest && is_visible(verdict) && !all_open(kept)) {
-        verdict = open_all(shaft, kept, verdict);
-        shaft.set_occluders(kept);
-        if (verdict == Verdict::kAssumedVisible) verdict = backend_.decide(shaft, Effort::kFull);
-      }
       if (!is_visible(verdict)) {
         links.count(verdict);
         return true;
@@ -298,26 +298,20 @@ class Refinement {
     return true;
   }
 
-  bool all_open(Candidates occluders) const {
-    return std::all_of(occluders.begin(), occluders.end(), [&](const ShaftOccluder& occluder) {
-      return clusters_.nodes()[occluder.node].is_leaf();
-    });
-  }
-
-  /// Opens the clusters among the occluders of a shaft that is about to become a link. What that
-  /// proves takes the place of `verdict`.
-  Verdict open_all(const Shaft& shaft, ShaftOccluders& kept, Verdict verdict) const {
+  /// Puts the surfaces below the clusters among the occluders in their place; false, unfinished, if
+  /// one of them blocks the shaft.
+  bool open_all(const Shaft& shaft, ShaftOccluders& kept) const {
     ShaftOccluders surfaces, opened;
     for (const ShaftOccluder& occluder : kept) {
       if (clusters_.nodes()[occluder.node].is_leaf()) {
         surfaces.push_back(occluder);
       } else {
-        if (cull(shaft, {&occluder, 1}, kOpenAll, opened)) return Verdict::kHiddenByOne;
+        if (cull(shaft, {&occluder, 1}, kOpenAll, opened)) return false;
         surfaces.insert(surfaces.end(), opened.begin(), opened.end());
       }
     }
     kept = std::move(surfaces);
-    return kept.empty() ? Verdict::kFullyVisible : verdict;
+    return true;
   }
 
   bool is_finest(const RegionNode& region, const ElementNode& element) const {

@@ -17,8 +17,9 @@ constexpr double kMuchSmaller = 0.8;
 
 }  // namespace
 
-CoverageCurve::CoverageCurve(const CoverInstance& instance, SearchLimits& limits)
-    : instance_(instance), limits_(limits), problem_(instance) {}
+CoverageCurve::CoverageCurve(const CoverInstance& instance, SearchLimits& limits,
+                             std::size_t most_nodes)
+    : instance_(instance), limits_(limits), most_nodes_(most_nodes), problem_(instance) {}
 
 CoverStep CoverageCurve::step(std::size_t k) {
   const Stopwatch watch;
@@ -35,7 +36,7 @@ CoverStep CoverageCurve::step(std::size_t k) {
     const std::vector<std::uint32_t> left = tree.rows_left();
     const auto size = static_cast<double>(problem.row_numbers.size());
     go_on = static_cast<double>(left.size()) <= kMuchSmaller * size;
-    if (!go_on) tree.search();
+    if (!go_on) tree.search(most_nodes_);
     if (tree.best_benefit() > best) {
       best = tree.best_benefit();
       best_.clear();

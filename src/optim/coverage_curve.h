@@ -18,8 +18,13 @@ namespace viewcover {
 /// Not safe for concurrent use.
 class CoverageCurve {
  public:
-  /// The instance and the limits must outlive the curve.
-  CoverageCurve(const CoverInstance& instance, SearchLimits& limits);
+  static constexpr std::size_t kAnyNumberOfNodes = static_cast<std::size_t>(-1);
+
+  /// The instance and the limits must outlive the curve. `most_nodes`: of the tree for one k. Rows
+  /// worth the same, such as those of equal rooms, leave more sets close to the bound than can be
+  /// gone through.
+  CoverageCurve(const CoverInstance& instance, SearchLimits& limits,
+                std::size_t most_nodes = kAnyNumberOfNodes);
 
   /// The best set of k rows that is found before the limits expire, and what is proved.
   /// Requires k below the number of rows of a smallest cover. Errors: Interrupted.
@@ -31,6 +36,7 @@ class CoverageCurve {
 
   const CoverInstance& instance_;
   SearchLimits& limits_;
+  std::size_t most_nodes_;
   CoverageProblem problem_;
   std::vector<std::size_t> best_;                           ///< for the last k, ascending
   std::shared_ptr<const LinearProgram::Basis> root_basis_;  ///< of the last k

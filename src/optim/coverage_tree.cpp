@@ -78,8 +78,8 @@ std::vector<std::uint32_t> CoverageTree::rows_left() const {
   return rows;
 }
 
-void CoverageTree::search() {
-  while (search_next()) {
+void CoverageTree::search(std::size_t most_nodes) {
+  while (nodes_.size() < most_nodes && search_next()) {
   }
 }
 

@@ -36,8 +36,9 @@ class CoverageTree {
   std::shared_ptr<const LinearProgram::Basis> root_basis() const { return root_basis_; }
   /// Rows that search_root() has left.
   std::vector<std::uint32_t> rows_left() const;
-  /// Goes on until best() is proved or the limits expire. Errors: Interrupted.
-  void search();
+  /// Goes on until best() is proved, the limits expire or the tree has so many nodes. Errors:
+  /// Interrupted.
+  void search(std::size_t most_nodes);
 
   const std::vector<std::uint32_t>& best() const {
     return best_;

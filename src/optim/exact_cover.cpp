@@ -11,6 +11,9 @@
 namespace viewcover {
 namespace {
 
+/// In the curve for every k. Asked for one k, the search goes on to the proof.
+constexpr std::size_t kNodesForEachK = 2000;
+
 /// The step of a set of rows that covers everything coverable.
 CoverStep whole_step(const CoverInstance& instance, ProvedCover cover) {
   CoverStep step;
@@ -46,7 +49,8 @@ RegionCover ExactCover::solve(const CoverInstance& instance, const CoverOptions&
   const bool every_k = options.goal == CoverGoal::kEveryK, one_k = options.goal == CoverGoal::kOneK;
   cover.whole = !one_k || options.k >= whole_size;
   if (every_k || !cover.whole) {
-    CoverageCurve coverage(instance, limits);
+    CoverageCurve coverage(instance, limits,
+                           every_k ? kNodesForEachK : CoverageCurve::kAnyNumberOfNodes);
     const std::size_t first = every_k ? 1 : options.k, end = every_k ? whole_size : options.k + 1;
     for (std::size_t k = std::max(first, std::size_t{1}); k < end; ++k) add_step(coverage.step(k));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "optim/coverage_curve.h"
 #include "optim/exchange_search.h"
 #include "optim/swap_search.h"
 #include "reference_cover.h"
@@ -77,6 +78,37 @@ TYPED_TEST(CoverageSearch, NeverLeavesLessThanItsStart) {
     before = percent;
   }
   EXPECT_GT(before, 95);
+}
+
+// With few nodes the bound is weaker, but one.
+TEST(CoverageCurve, SaysWhatIsProvedWhereTheTreeIsCutShort) {
+  std::size_t open = 0, closed = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    constexpr std::size_t kRows = 14, kColumns = 120;
+    BitRows matrix(kRows, kColumns);
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      for (int i = 0; i < 3; ++i) matrix.set(random() % kRows, c);
+    }
+    const std::vector<double> weights(kColumns, 1.0);
+    const CoverInstance instance(matrix, weights);
+    SearchLimits limits{CoverOptions{}};
+    CoverageCurve curve(instance, limits, 3);
+    for (std::size_t k = 2; k <= 6; ++k) {
+      const CoverStep step = curve.step(k);
+      const double best = reference::maximum_coverage(matrix, weights, k) / 1.2;
+      ASSERT_EQ(step.chosen.size(), k);
+      EXPECT_LE(step.covered_percent, best + 1e-9);
+      EXPECT_GE(step.upper_bound_percent, best - 1e-9);
+      if (step.proved) {
+        EXPECT_NEAR(step.covered_percent, best, 1e-9);
+      }
+      ++(step.proved ? closed : open);
+    }
+  }
+  EXPECT_GT(open, 10u);
+  EXPECT_GT(closed, 10u);
 }
 
 TEST(IntegerWeights, BoundWhatKRowsCover) {
