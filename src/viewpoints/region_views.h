@@ -103,9 +103,12 @@ class RegionViews : public CellViews {
     std::vector<SurfaceId> touching;     ///< surfaces that may touch positions of the region
   };
 
+  /// The surfaces that hid the last elements wholly from one position, the latest first.
+  using Blockers = SmallList<OccluderId, 4>;
+
   void add_link(std::size_t link);
   bool sees(const PartialColumn& partial, const Point& position,
-            const std::optional<ElementTarget>& target) const;
+            const std::optional<ElementTarget>& target, Blockers& blockers) const;
   /// The occluders stored with the link of region and column; none if it is seen fully.
   std::span<const OccluderId> stored_occluders(std::size_t region, std::size_t column) const;
   SmallList<ShaftOccluder, 96> shaft_occluders(std::size_t region, std::size_t column) const;

@@ -262,7 +262,7 @@ TEST(Refine, GivesTheSameLinksWhereverItIsContinued) {
   EXPECT_TRUE(same(with(&often), whole));
   ASSERT_GT(saves.size(), 100u);
   EXPECT_TRUE(same(saves.back().second, whole));
-  for (std::size_t i = 0; i < saves.size(); i += 23) {
+  for (std::size_t i = 0; i < saves.size(); i += 67) {
     SCOPED_TRACE(i);
     RefineProgress progress;
     RefineCheckpoints later{
