@@ -71,10 +71,18 @@ PairVerdicts::PairVerdicts(const std::filesystem::path& folder, const RunData& r
       throw InputError(InputError::at_line(file.string(), number), "is no link",
                        "give the folder of a finished run");
     }
-    for (const std::size_t row : places_in(run.region_addresses, *region)) {
-      for (const std::size_t column : places_in(run.bundle.elements, *element)) {
-        verdicts_[row * elements_ + column] = static_cast<std::uint8_t>(*verdict);
+    const auto columns = places_in(run.bundle.elements, *element);
+    const auto add = [&](std::size_t row) {
+      for (const std::size_t column : columns) {
+        std::uint8_t& known = verdicts_[row * elements_ + column];
+        known = std::min(known, static_cast<std::uint8_t>(*verdict));
       }
+    };
+    const auto face = run.face_regions.find(region->owner());
+    if (face != run.face_regions.end()) {
+      std::ranges::for_each(face->second, add);
+    } else {
+      std::ranges::for_each(places_in(run.region_addresses, *region), add);
     }
   }
   for (std::size_t row = 0; row < run.seen.rows(); ++row) {

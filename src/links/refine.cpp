@@ -30,15 +30,18 @@ struct RegionNode : PlanarPolygon {
   double area = 0;
 };
 
-/// All nodes of the region's quadtrees.
+/// All nodes of the quadtrees over the region's polygons, and the faces of its cells, which are not
+/// subdivided.
 class RegionNodes {
  public:
-  explicit RegionNodes(const ViewingRegion& region) : level_(region.level) {
-    nodes_.resize(region.parts.size() * offset(level_ + 1));
+  explicit RegionNodes(const ViewingRegion& region)
+      : level_(region.level), polygons_(region.polygon_count()) {
+    nodes_.resize(polygons_ * offset(level_ + 1) + region.face_regions.size());
     for (std::size_t p = 0; p < region.parts.size(); ++p) {
       const PartId part(p);
       const Plane plane(region.parts[p]);
-      for (int level = 0; level <= level_; ++level) {
+      const int finest = finest_level(part);
+      for (int level = 0; level <= finest; ++level) {
         for (std::size_t path = 0; path < std::size_t{1} << (2 * level); ++path) {
           const RegionAddress address(part, level, path);
           RegionNode& node = at(address);
@@ -46,7 +49,7 @@ class RegionNodes {
           node.polygon = level == 0 ? region.parts[p] : node.polygon;
           node.plane = plane;
           node.area = area(node.polygon);
-          if (level == level_) continue;
+          if (level == finest) continue;
           const auto children = quarters(node.polygon);
           for (int digit = 0; digit < 4; ++digit) {
             at(address.child(digit)).polygon = children[static_cast<std::size_t>(digit)];
@@ -57,20 +60,25 @@ class RegionNodes {
   }
 
   const RegionNode& operator[](RegionAddress address) const { return nodes_[index(address)]; }
-  bool is_finest(const RegionNode& node) const { return node.address.level() == level_; }
-  /// Finest regions below the node.
-  double leaves(const RegionNode& node) const {
-    return std::ldexp(1.0, 2 * (level_ - node.address.level()));
-  }
+  bool is_finest(const RegionNode& node) const { return levels_below(node) == 0; }
+  /// Finest nodes below the node.
+  double leaves(const RegionNode& node) const { return std::ldexp(1.0, 2 * levels_below(node)); }
 
  private:
+  int finest_level(PartId part) const { return part.value < polygons_ ? level_ : 0; }
+  int levels_below(const RegionNode& node) const {
+    return finest_level(node.address.owner()) - node.address.level();
+  }
   static std::size_t offset(int level) { return ((std::size_t{1} << (2 * level)) - 1) / 3; }
   std::size_t index(RegionAddress address) const {
-    return address.owner().value * offset(level_ + 1) + offset(address.level()) + address.path();
+    const std::size_t part = address.owner().value, each = offset(level_ + 1);
+    return part < polygons_ ? part * each + offset(address.level()) + address.path()
+                            : polygons_ * each + part - polygons_;
   }
   RegionNode& at(RegionAddress address) { return nodes_[index(address)]; }
 
   int level_;
+  std::size_t polygons_;
   std::vector<RegionNode> nodes_;
 };
 
@@ -109,7 +117,8 @@ class Refinement {
     for (const Surface& surface : scene.surfaces) {
       if (surface.is_target) total_pairs_ += leaves(area(surface.polygon));
     }
-    total_pairs_ *= static_cast<double>(region.region_count());
+    total_pairs_ *= static_cast<double>(region.polygon_count() * region.regions_per_part() +
+                                        region.face_regions.size());
   }
 
   LinkSet part(PartId part) const {
@@ -325,10 +334,13 @@ LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingReg
         "use " + std::to_string(std::ldexp(largest, -2 * kMaxSubdivisionLevel)) + " or more");
   }
   const Refinement refinement(scene, clusters, region, backend, options, progress);
+  // Faces of boxes are many and each is little work.
+  std::vector<LinkSet> of_parts(region.parts.size());
+  tbb::parallel_for(std::size_t{0}, of_parts.size(), [&](std::size_t part) {
+    of_parts[part] = refinement.part(PartId(part));
+  });
   LinkSet links;
-  for (std::size_t part = 0; part < region.parts.size(); ++part) {
-    links.append(refinement.part(PartId(part)));
-  }
+  for (LinkSet& part : of_parts) links.append(std::move(part));
   return links;
 }
 
