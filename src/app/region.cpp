@@ -73,8 +73,8 @@ FreeBoxOptions box_options(const RegionText& text) {
   options.low = number_option("--volume", low, -kLargest, kLargest);
   options.high = number_option("--volume", high, -kLargest, kLargest);
   if (!text.cells.empty()) {
-    const auto cells = fields_of<3>("--cells", text.cells, "is no grid",
-                                    "give three whole numbers NX,NY,NZ");
+    const auto cells =
+        fields_of<3>("--cells", text.cells, "is no grid", "give three whole numbers NX,NY,NZ");
     for (std::size_t i = 0; i < 3; ++i) {
       options.cells[i] = count_option("--cells", cells[i], 1, kMostCells);
     }
@@ -135,8 +135,7 @@ void write_boxes(const RegionText& text, const Scene& scene) {
   const FreeBoxes free = find_free_boxes(scene, options);
   write_region(text, scene, make_viewing_region({}, free.boxes, 0), options.clearance, "boxes",
                free.boxes);
-  report(text, free,
-         {{"region", text.output}, {"boxes", free.boxes.size()}, {"area", free.area}});
+  report(text, free, {{"region", text.output}, {"boxes", free.boxes.size()}, {"area", free.area}});
 }
 
 int write_free_region(const RegionText& text) {
@@ -162,8 +161,8 @@ int write_free_region(const RegionText& text) {
 
 void add_region_command(CLI::App& app, int& exit_code) {
   const auto text = std::make_shared<RegionText>();
-  CLI::App* const command =
-      app.add_subcommand("region", "find where cameras may be: the free space at one height or between two");
+  CLI::App* const command = app.add_subcommand(
+      "region", "find where cameras may be: the free space at one height or between two");
   command->add_option("scene", text->scene, "the scene: .obj, .off, .ply or .stl")
       ->type_name("SCENE");
   command->add_option("-o,--output", text->output, "the region file to write (JSON)")

@@ -91,8 +91,7 @@ struct Slab {
   std::optional<Point> seed;
 
   std::string heights() const {
-    return low == high ? fmt::format("height {}", low)
-                       : fmt::format("heights {} to {}", low, high);
+    return low == high ? fmt::format("height {}", low) : fmt::format("heights {} to {}", low, high);
   }
 };
 
@@ -138,8 +137,8 @@ class FreeSpace {
   const Area& chosen() const {
     if (areas_.empty()) {
       throw InputError(slab_.option,
-                       fmt::format("no free space is left {} from surfaces at {}",
-                                   slab_.clearance, slab_.heights()),
+                       fmt::format("no free space is left {} from surfaces at {}", slab_.clearance,
+                                   slab_.heights()),
                        "give another height or a smaller --clearance");
     }
     if (!slab_.seed) {
@@ -149,11 +148,10 @@ class FreeSpace {
     for (const Area& area : areas_) {
       if (Areas(area).oriented_side(seed) != CGAL::ON_NEGATIVE_SIDE) return area;
     }
-    throw InputError(
-        "--seed-point",
-        fmt::format("is outside the scene, or nearer than {} to a surface at {}", slab_.clearance,
-                    slab_.heights()),
-        "give a place in free space");
+    throw InputError("--seed-point",
+                     fmt::format("is outside the scene, or nearer than {} to a surface at {}",
+                                 slab_.clearance, slab_.heights()),
+                     "give a place in free space");
   }
 
   /// The loops of an area with corners on the lattice, those that are left of them.
@@ -206,8 +204,9 @@ class FreeSpace {
     for (std::size_t i = 0; i <= count; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(count);
       const double at = (first + share * (last - first)) / step_;
-      lines.push_back(step_ * (i == 0 ? std::ceil(at) : i == count ? std::floor(at)
-                                                                  : std::nearbyint(at)));
+      lines.push_back(step_ * (i == 0       ? std::ceil(at)
+                               : i == count ? std::floor(at)
+                                            : std::nearbyint(at)));
       if (i > 0 && !(lines[i - 1] < lines[i])) {
         throw InputError("--cells", fmt::format("{} cells are finer than the lattice", count),
                          "give fewer");
@@ -282,8 +281,8 @@ void count_others(const FreeSpace& space, const Area& chosen, Region& region) {
 }  // namespace
 
 FreeRegion find_free_region(const Scene& scene, const FreeRegionOptions& asked) {
-  const Slab slab = checked(scene, {"--height", asked.up_axis, asked.height, asked.height,
-                                    asked.clearance, asked.seed});
+  const Slab slab = checked(
+      scene, {"--height", asked.up_axis, asked.height, asked.height, asked.clearance, asked.seed});
   for (int attempt = 1; attempt <= kMostTries; ++attempt) {
     const FreeSpace space(scene, slab, step_of(scene, attempt));
     const Area& chosen = space.chosen();
@@ -310,9 +309,10 @@ FreeBoxes find_free_boxes(const Scene& scene, const FreeBoxOptions& asked) {
   const Slab slab = checked(
       scene, {"--volume", asked.up_axis, asked.low, asked.high, asked.clearance, asked.seed});
   if (!(slab.high - slab.low >= 2 * step_of(scene, 1))) {
-    throw InputError("--volume",
-                     fmt::format("{} is not above {} by more than the lattice", asked.high, asked.low),
-                     "give the lower height first");
+    throw InputError(
+        "--volume",
+        fmt::format("{} is not above {} by more than the lattice", asked.high, asked.low),
+        "give the lower height first");
   }
   const FreeSpace space(scene, slab, step_of(scene, 1));
   const Area& chosen = space.chosen();

@@ -42,10 +42,10 @@ struct FreeRegion {
 FreeRegion find_free_region(const Scene& scene, const FreeRegionOptions& options);
 
 struct FreeBoxOptions {
-  int up_axis = 2;            ///< 0, 1 or 2: x, y or z is up
-  double low = 0, high = 0;   ///< heights between which the cameras are
-  double clearance = 0;       ///< least distance of a camera from any surface
-  std::optional<Point> seed;  ///< as for FreeRegionOptions
+  int up_axis = 2;                            ///< 0, 1 or 2: x, y or z is up
+  double low = 0, high = 0;                   ///< heights between which the cameras are
+  double clearance = 0;                       ///< least distance of a camera from any surface
+  std::optional<Point> seed;                  ///< as for FreeRegionOptions
   std::array<std::size_t, 3> cells{4, 4, 1};  ///< of the grid, along x, y and z
 };
 

@@ -336,9 +336,8 @@ LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingReg
   const Refinement refinement(scene, clusters, region, backend, options, progress);
   // Faces of boxes are many and each is little work.
   std::vector<LinkSet> of_parts(region.parts.size());
-  tbb::parallel_for(std::size_t{0}, of_parts.size(), [&](std::size_t part) {
-    of_parts[part] = refinement.part(PartId(part));
-  });
+  tbb::parallel_for(std::size_t{0}, of_parts.size(),
+                    [&](std::size_t part) { of_parts[part] = refinement.part(PartId(part)); });
   LinkSet links;
   for (LinkSet& part : of_parts) links.append(std::move(part));
   return links;

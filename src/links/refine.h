@@ -24,9 +24,9 @@ struct RefineOptions {
 };
 
 /// Hierarchical visibility (paper, section 2.2, figure 4): all links between the viewing region and
-/// the scene's targets, from polygons and from the faces of boxes. Uses all threads of the current TBB arena; the result does not depend on
-/// their number. Errors: InputError if element_area asks for more than kMaxSubdivisionLevel levels;
-/// Interrupted.
+/// the scene's targets, from polygons and from the faces of boxes. Uses all threads of the current
+/// TBB arena; the result does not depend on their number. Errors: InputError if element_area asks
+/// for more than kMaxSubdivisionLevel levels; Interrupted.
 LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                const VisibilityBackend& backend, const RefineOptions& options,
                RefineProgress* progress = nullptr);

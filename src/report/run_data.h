@@ -35,7 +35,7 @@ struct RunData {
   std::vector<RegionAddress> region_addresses;  ///< ascending
   /// Regions that each face of boxes belongs to, by its part.
   std::map<PartId, std::vector<std::size_t>> face_regions;
-  BitRows seen;                                 ///< #regions x #elements
+  BitRows seen;  ///< #regions x #elements
   std::vector<CoverRow> covers;
   std::vector<ViewpointRow> viewpoints;
   BitRows seen_from_viewpoints;  ///< #viewpoints x #elements

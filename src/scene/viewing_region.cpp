@@ -282,8 +282,7 @@ struct ReadRegion {
   std::vector<Box> boxes;
 };
 
-ReadRegion read_json_region(const std::filesystem::path& file,
-                                            const Lattice& lattice) {
+ReadRegion read_json_region(const std::filesystem::path& file, const Lattice& lattice) {
   constexpr const char* kAdvice = R"(use "polygons" or "boxes")";
   const std::string name = file.string();
   const json root = parse(name, read_text(file));
@@ -376,11 +375,11 @@ ViewingRegion load_viewing_region(const std::filesystem::path& file, const Latti
   constexpr std::size_t kLimit = RegionAddress::kOwnerLimit, kFaces = 6;
   const std::size_t faces = read.boxes.size() << (2 * level);
   if (read.polygons.size() + read.boxes.size() >= kLimit || faces >= kLimit / kFaces / 2) {
-    throw InputError(file.string(),
-                     fmt::format("has {} polygons and {} boxes", read.polygons.size(),
-                                 read.boxes.size()),
-                     fmt::format("use fewer than {} polygons, and {} boxes times --regions",
-                                 kLimit / 2, kLimit / kFaces / 2));
+    throw InputError(
+        file.string(),
+        fmt::format("has {} polygons and {} boxes", read.polygons.size(), read.boxes.size()),
+        fmt::format("use fewer than {} polygons, and {} boxes times --regions", kLimit / 2,
+                    kLimit / kFaces / 2));
   }
   return make_viewing_region(std::move(read.polygons), std::move(read.boxes), level);
 }

@@ -28,9 +28,7 @@ struct ViewingRegion {
 
   std::size_t polygon_count() const { return parts.size() - face_regions.size(); }
   std::size_t regions_per_part() const { return std::size_t{1} << (2 * level); }
-  std::size_t region_count() const {
-    return (polygon_count() + boxes.size()) * regions_per_part();
-  }
+  std::size_t region_count() const { return (polygon_count() + boxes.size()) * regions_per_part(); }
 
   bool is_face(RegionAddress node) const {
     return node.owner().value >= polygon_count() && node.owner().value < parts.size();
@@ -80,16 +78,16 @@ struct ViewingRegion {
 ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
                                   int level);
 
-/// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons, and boxes as `{"min":
-/// [x, y, z], "max": [x, y, z]}`), or the faces of an .obj, .off, .ply or .stl file, made convex
-/// like those of a scene. Coordinates go to `lattice`.
+/// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons, and boxes as
+/// `{"min": [x, y, z], "max": [x, y, z]}`), or the faces of an .obj, .off, .ply or .stl file, made
+/// convex like those of a scene. Coordinates go to `lattice`.
 ///
-/// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10): regions a polygon or box. A JSON polygon that is planar and
-/// convex as far as four significant digits tell, but not on the lattice, becomes the triangles of
-/// a fan; corners within its edges are removed.
-/// Errors: InputError for a malformed file, a polygon that is degenerate, not planar or not
-/// convex, no polygon at all, a corner more than 2^26 lattice steps from the origin, or a number
-/// that is not a power of 4.
+/// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10): regions a polygon or box. A JSON
+/// polygon that is planar and convex as far as four significant digits tell, but not on the
+/// lattice, becomes the triangles of a fan; corners within its edges are removed. Errors:
+/// InputError for a malformed file, a polygon that is degenerate, not planar or not convex, no
+/// polygon at all, a corner more than 2^26 lattice steps from the origin, or a number that is not a
+/// power of 4.
 ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
                                   std::size_t regions_per_part);
 
@@ -98,9 +96,10 @@ struct RegionCheck {
   bool allow_outside = false;  ///< accept a region outside the scene's bounding box
 };
 
-/// Refuses a region where no camera can be: a polygon that is cut by a surface, a box with a part of
-/// a surface inside (both exact; touching is allowed), one that comes nearer than `clearance` to one, that lies inside a closed object of the
-/// scene, or wholly outside the scene's bounding box. `file` names the region in messages.
+/// Refuses a region where no camera can be: a polygon that is cut by a surface, a box with a part
+/// of a surface inside (both exact; touching is allowed), one that comes nearer than `clearance` to
+/// one, that lies inside a closed object of the scene, or wholly outside the scene's bounding box.
+/// `file` names the region in messages.
 ///
 /// "Inside a closed object": the innermost closed connected surface round a point of the part faces
 /// away from it, or either way, and more of the scene's area lies outside that surface's bounding

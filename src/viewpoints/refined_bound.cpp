@@ -154,8 +154,7 @@ void BoundRefinement::find_middles() {
   middles_.clear();
   for (const std::size_t i : cover_) {
     const RegionCell& cell = cells_[i];
-    middles_.push_back(
-        {cell.region, views_.positions(cell.region).nearest(cell.shape.middle())});
+    middles_.push_back({cell.region, views_.positions(cell.region).nearest(cell.shape.middle())});
   }
 }
 

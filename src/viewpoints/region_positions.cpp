@@ -32,8 +32,8 @@ RegionPositions::RegionPositions(RegionShape region, const Box& scene, int latti
   int unit = -lattice_exponent;
   Box box = scene;
   const Box bounds = region_.bounds();
-  const ConvexPolygon corners = region_.is_box() ? ConvexPolygon{bounds.min(), bounds.max()}
-                                                 : region_.polygon();
+  const ConvexPolygon corners =
+      region_.is_box() ? ConvexPolygon{bounds.min(), bounds.max()} : region_.polygon();
   for (const Point& corner : corners) {
     box.extend(corner);
     for (const double x : corner) {

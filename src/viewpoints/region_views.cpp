@@ -26,8 +26,8 @@ RegionViews::RegionViews(const ViewedScene& viewed)
   for (std::size_t region = 0; region < views_.size(); ++region) {
     View& view = views_[region];
     std::ranges::sort(view.partial, {}, &PartialColumn::column);
-    positions_.emplace_back(viewed.region.shape(viewed.region.address(region)),
-                            viewed.scene.bounds, viewed.scene.lattice.exponent);
+    positions_.emplace_back(viewed.region.shape(viewed.region.address(region)), viewed.scene.bounds,
+                            viewed.scene.lattice.exponent);
     const Box box = positions_[region].region().bounds();
     for (std::size_t s = 0; s < viewed.scene.surfaces.size(); ++s) {
       if (box.intersects(bounding_box(viewed.scene.surfaces[s].polygon))) {
@@ -43,9 +43,8 @@ RegionViews::RegionViews(const ViewedScene& viewed)
 void RegionViews::add_boxes() {
   const std::size_t first = viewed_.region.polygon_count() * viewed_.region.regions_per_part();
   std::vector<std::vector<OccluderId>> lists(views_.size());
-  tbb::parallel_for(first, views_.size(), [&](std::size_t region) {
-    lists[region] = add_box(region);
-  });
+  tbb::parallel_for(first, views_.size(),
+                    [&](std::size_t region) { lists[region] = add_box(region); });
   for (std::size_t region = first; region < views_.size(); ++region) {
     const auto begin = static_cast<std::uint32_t>(stored_.size());
     for (PartialColumn& partial : views_[region].partial) {
@@ -214,9 +213,9 @@ std::vector<PlanarPolygon> RegionViews::faces_of(RegionAddress address,
 }
 
 bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
-  return std::ranges::any_of(
-      faces_of(cell.address, cell.shape),
-      [&](const PlanarPolygon& face) { return face_sees(cell, face, column); });
+  return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
+    return face_sees(cell, face, column);
+  });
 }
 
 bool RegionViews::face_sees(const RegionCell& cell, const PlanarPolygon& face,
