@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -118,8 +119,7 @@ void report(const RegionText& text, const Free& free, Json line) {
   print_out(line.dump() + "\n");
 }
 
-void write_polygons(const RegionText& text, const Scene& scene) {
-  const FreeRegionOptions options = region_options(text);
+void write_polygons(const RegionText& text, const Scene& scene, const FreeRegionOptions& options) {
   const FreeRegion free = find_free_region(scene, options);
   write_region(text, scene, {.parts = free.parts, .level = 0}, options.clearance, "polygons",
                free.parts);
@@ -130,8 +130,7 @@ void write_polygons(const RegionText& text, const Scene& scene) {
           {"holes", free.holes}});
 }
 
-void write_boxes(const RegionText& text, const Scene& scene) {
-  const FreeBoxOptions options = box_options(text);
+void write_boxes(const RegionText& text, const Scene& scene, const FreeBoxOptions& options) {
   const FreeBoxes free = find_free_boxes(scene, options);
   write_region(text, scene, make_viewing_region({}, free.boxes, 0), options.clearance, "boxes",
                free.boxes);
@@ -149,11 +148,18 @@ int write_free_region(const RegionText& text) {
   }
   if (text.output.empty()) throw InputError("--output", "is missing", "give the file to write");
   // Bad options are known before a large scene is read.
-  text.volume.empty() ? void(region_options(text)) : void(box_options(text));
+  std::optional<FreeRegionOptions> polygons;
+  std::optional<FreeBoxOptions> boxes;
+  if (text.volume.empty()) {
+    polygons = region_options(text);
+  } else {
+    boxes = box_options(text);
+  }
   SceneOptions scene_options;
   if (!text.heal.empty()) scene_options.heal = positive_option("--heal", text.heal);
   const Scene scene = load_scene(text.scene, scene_options);
-  text.volume.empty() ? write_polygons(text, scene) : write_boxes(text, scene);
+  if (polygons) write_polygons(text, scene, *polygons);
+  if (boxes) write_boxes(text, scene, *boxes);
   return kDone;
 }
 

@@ -312,6 +312,54 @@ TEST(Volume, ViewpointsLieInTheirBoxes) {
   }
 }
 
+/// A chimney of width 1/2 and length 8, closed by a lid, before the middle of each face of the box
+/// [0, 3/2]^3 at distance 1. A lid is seen only along lines of slope below 1/16, so of points in
+/// the box only from less than 1/4 + 3/16 beside the middle line of its face: these lines meet no
+/// face but that one and the opposite one.
+std::vector<ConvexPolygon> six_chimneys() {
+  std::vector<ConvexPolygon> polygons;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto add = [&](ConvexPolygon polygon) {
+        for (Point& p : polygon) {
+          Point q;
+          q[axis] = 0.75 + sign * (0.75 + p.z());
+          q[(axis + 1) % 3] = 0.5 + p.x();
+          q[(axis + 2) % 3] = 0.5 + p.y();
+          p = q;
+        }
+        polygons.push_back(std::move(polygon));
+      };
+      for (const ConvexPolygon& wall : testing::box_walls({0, 0, 1}, {0.5, 0.5, 9})) add(wall);
+      add(testing::horizontal(0, 0, 0.5, 0.5, 9));
+    }
+  }
+  return polygons;
+}
+
+TEST(Volume, AViewpointInsideSeesWhatNoneOnAFaceDoes) {
+  constexpr double kWhole = 100;  // no polygon is subdivided
+  const Box box(Point(0, 0, 0), Point(1.5, 1.5, 1.5));
+  const SolvedScene solved(testing::scene_of(six_chimneys()), make_viewing_region({}, {box}, 0),
+                           kWhole);
+  EXPECT_EQ(count_bits(solved.matrix.bits.row(0)), 30u) << "the lids and the walls";
+  const ViewpointSet set = find_viewpoints(solved.views, solved.options());
+  EXPECT_EQ(set.lower_bound, 1u);
+  ASSERT_EQ(set.viewpoints.size(), 1u);
+  for (const double x : set.viewpoints.front().position) EXPECT_NEAR(x, 0.75, 0.25 + 3.0 / 16);
+
+  // A face sees the lid before it and the one behind it only.
+  ViewingRegion faces;
+  for (const ConvexPolygon& face : box_faces(box)) faces.parts.push_back(face);
+  const SolvedScene flat(testing::scene_of(six_chimneys()), faces, kWhole);
+  for (std::size_t row = 0; row < 6; ++row) {
+    std::size_t lids = 0;
+    for (std::size_t lid = 4; lid < 30; lid += 5) lids += flat.matrix.bits.test(row, lid);
+    EXPECT_EQ(lids, 2u);
+  }
+  EXPECT_EQ(flat.cover.size(), 3u);
+}
+
 TEST(Volume, PolygonsAndBoxesMayBeMixed) {
   const Scene scene = living_room_scene();
   const ConvexPolygon eye_height =
