@@ -54,7 +54,8 @@ void SolveText::add_to(CLI::App& command) {
          "NAME");
   option("--rays", rays, "random rays a shaft (default: 16)", "N");
   option("--sampling", sampling, "how rays are drawn: plain (default) or stratified", "KIND");
-  option("--regions", regions, "viewing regions a planar part, a power of 4 (default: 64)", "N");
+  option("--regions", regions,
+         "viewing regions a polygon or box of the region, a power of 4 (default: 64)", "N");
   option("--element-area", element_area,
          "subdivide elements while larger (default: 1 % of the mean area of the scene's bounding "
          "box faces)",

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <string_view>
 
 #include "report/csv_table.h"
@@ -71,10 +72,21 @@ PairVerdicts::PairVerdicts(const std::filesystem::path& folder, const RunData& r
       throw InputError(InputError::at_line(file.string(), number), "is no link",
                        "give the folder of a finished run");
     }
-    for (const std::size_t row : places_in(run.region_addresses, *region)) {
-      for (const std::size_t column : places_in(run.bundle.elements, *element)) {
-        verdicts_[row * elements_ + column] = static_cast<std::uint8_t>(*verdict);
+    const auto columns = places_in(run.bundle.elements, *element);
+    const auto known_verdicts = [&](std::size_t row) {
+      return std::span(verdicts_).subspan(row * elements_ + columns.front(), columns.size());
+    };
+    const auto value = static_cast<std::uint8_t>(*verdict);
+    if (columns.empty()) continue;
+    const auto face = run.face_regions.find(region->owner());
+    if (face == run.face_regions.end()) {
+      for (const std::size_t row : places_in(run.region_addresses, *region)) {
+        std::ranges::fill(known_verdicts(row), value);
       }
+      continue;
+    }
+    for (const std::size_t row : face->second) {
+      for (std::uint8_t& known : known_verdicts(row)) known = std::min(known, value);
     }
   }
   for (std::size_t row = 0; row < run.seen.rows(); ++row) {

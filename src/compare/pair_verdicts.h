@@ -8,11 +8,12 @@
 
 namespace viewcover {
 
-/// How a run knows that a region sees an element, for each pair that it has.
+/// How a run knows that a region sees an element, for each pair that it has. A box may have several
+/// links to an element, from its faces: the strongest counts.
 class PairVerdicts {
  public:
   /// Reads links.csv in the folder of a run: a link says it of all regions and elements below its
-  /// two nodes.
+  /// two nodes, one of a face of boxes of these boxes.
   ///
   /// Cost: O(file) time, a byte for each pair.
   /// Errors: InputError with file and line for a link that cannot be read or names a verdict of

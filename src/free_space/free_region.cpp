@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <list>
 #include <numbers>
@@ -82,12 +83,24 @@ std::vector<std::pair<double, double>> octagon(double radius) {
   return corners;
 }
 
+/// What is asked for, between two heights that may be equal.
+struct Slab {
+  const char* option;  ///< to blame in messages
+  int up_axis;
+  double low, high, clearance;
+  std::optional<Point> seed;
+
+  std::string heights() const {
+    return low == high ? fmt::format("height {}", low) : fmt::format("heights {} to {}", low, high);
+  }
+};
+
 class FreeSpace {
  public:
-  FreeSpace(const Scene& scene, const FreeRegionOptions& options, double step)
-      : scene_(scene), options_(options), frame_{options.up_axis}, step_(step) {
-    const double reach = options_.clearance + kMarginSteps * step_;
-    const Number low = options_.height - reach, high = options_.height + reach;
+  FreeSpace(const Scene& scene, const Slab& slab, double step)
+      : slab_(slab), frame_{slab.up_axis}, step_(step) {
+    const double reach = slab_.clearance + kMarginSteps * step_;
+    const Number low = slab_.low - reach, high = slab_.high + reach;
     const auto disc = octagon(reach);
     std::list<Outline> obstacles;
     for (const Surface& surface : scene.surfaces) {
@@ -114,7 +127,7 @@ class FreeSpace {
     for (const Place& corner : {Place(a0, b0), Place(a1, b0), Place(a1, b1), Place(a0, b1)}) {
       whole.push_back(corner);
     }
-    if (!(a0 < a1 && b0 < b1)) throw InputError("--height", "the scene has no floor area", "");
+    if (!(a0 < a1 && b0 < b1)) throw InputError(slab_.option, "the scene has no floor area", "");
     free_.insert(whole);
     free_.difference(blocked);
     free_.polygons_with_holes(std::back_inserter(areas_));
@@ -123,23 +136,22 @@ class FreeSpace {
   /// Connected with the seed, or the largest.
   const Area& chosen() const {
     if (areas_.empty()) {
-      throw InputError("--height",
-                       fmt::format("no free space is left {} from surfaces at height {}",
-                                   options_.clearance, options_.height),
+      throw InputError(slab_.option,
+                       fmt::format("no free space is left {} from surfaces at {}", slab_.clearance,
+                                   slab_.heights()),
                        "give another height or a smaller --clearance");
     }
-    if (!options_.seed) {
+    if (!slab_.seed) {
       return *std::ranges::max_element(areas_, {}, [](const Area& area) { return area_of(area); });
     }
-    const Place seed((*options_.seed)[frame_.u()], (*options_.seed)[frame_.v()]);
+    const Place seed((*slab_.seed)[frame_.u()], (*slab_.seed)[frame_.v()]);
     for (const Area& area : areas_) {
       if (Areas(area).oriented_side(seed) != CGAL::ON_NEGATIVE_SIDE) return area;
     }
-    throw InputError(
-        "--seed-point",
-        fmt::format("is outside the scene, or nearer than {} to a surface at height {}",
-                    options_.clearance, options_.height),
-        "give a place in free space");
+    throw InputError("--seed-point",
+                     fmt::format("is outside the scene, or nearer than {} to a surface at {}",
+                                 slab_.clearance, slab_.heights()),
+                     "give a place in free space");
   }
 
   /// The loops of an area with corners on the lattice, those that are left of them.
@@ -156,54 +168,129 @@ class FreeSpace {
   }
   const std::list<Area>& areas() const { return areas_; }
 
+  /// The boxes of a grid over the area that are wholly in it.
+  std::vector<Box> boxes_in(const Area& area, const std::array<std::size_t, 3>& cells) const {
+    const CGAL::Bbox_2 extent = area.outer_boundary().bbox();
+    const int u = frame_.u(), v = frame_.v();
+    std::array<std::vector<double>, 3> lines;
+    lines[index(u)] = grid_lines(extent.xmin(), extent.xmax(), cells[index(u)]);
+    lines[index(v)] = grid_lines(extent.ymin(), extent.ymax(), cells[index(v)]);
+    lines[index(slab_.up_axis)] = grid_lines(slab_.low, slab_.high, cells[index(slab_.up_axis)]);
+    const Areas free(area);
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < cells[index(u)]; ++i) {
+      for (std::size_t j = 0; j < cells[index(v)]; ++j) {
+        const Box plan(frame_.at(lines[index(u)][i], lines[index(v)][j], 0),
+                       frame_.at(lines[index(u)][i + 1], lines[index(v)][j + 1], 0));
+        if (!lies_in(plan, free)) continue;
+        const std::vector<double>& heights = lines[index(slab_.up_axis)];
+        for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+          Box box = plan;
+          box.min()[slab_.up_axis] = heights[k];
+          box.max()[slab_.up_axis] = heights[k + 1];
+          boxes.push_back(box);
+        }
+      }
+    }
+    return boxes;
+  }
+
  private:
+  static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
+
+  /// Ends of `count` equal steps, rounded to the lattice; the outermost inward.
+  std::vector<double> grid_lines(double first, double last, std::size_t count) const {
+    std::vector<double> lines;
+    for (std::size_t i = 0; i <= count; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(count);
+      const double at = (first + share * (last - first)) / step_;
+      lines.push_back(step_ * (i == 0       ? std::ceil(at)
+                               : i == count ? std::floor(at)
+                                            : std::nearbyint(at)));
+      if (i > 0 && !(lines[i - 1] < lines[i])) {
+        throw InputError("--cells", fmt::format("{} cells are finer than the lattice", count),
+                         "give fewer");
+      }
+    }
+    return lines;
+  }
+
+  bool lies_in(const Box& plan, const Areas& free) const {
+    const double a0 = plan.min()[frame_.u()], a1 = plan.max()[frame_.u()],
+                 b0 = plan.min()[frame_.v()], b1 = plan.max()[frame_.v()];
+    Outline outline;
+    for (const Place& corner : {Place(a0, b0), Place(a1, b0), Place(a1, b1), Place(a0, b1)}) {
+      outline.push_back(corner);
+    }
+    Areas rest(outline);
+    rest.difference(free);
+    return rest.is_empty();
+  }
+
   std::vector<Point> rounded(const Outline& outline) const {
     std::vector<Point> loop;
     const auto nearest = [&](const Number& x) {
       return std::nearbyint(CGAL::to_double(x) / step_) * step_;
     };
     for (const Place& place : outline.container()) {
-      const Point corner = frame_.at(nearest(place.x()), nearest(place.y()), options_.height);
+      const Point corner = frame_.at(nearest(place.x()), nearest(place.y()), slab_.low);
       if (loop.empty() || loop.back() != corner) loop.push_back(corner);
     }
     while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     return loop;
   }
 
-  const Scene& scene_;
-  const FreeRegionOptions& options_;
+  const Slab& slab_;
   HeightFrame frame_;
   double step_;
   Areas free_;
   std::list<Area> areas_;
 };
 
+/// Heights on the lattice. Errors: InputError where they are outside the scene.
+Slab checked(const Scene& scene, Slab slab) {
+  if (!(slab.clearance >= 0)) {
+    throw InputError("--clearance", "is negative or no number", "give a distance >= 0");
+  }
+  const double lowest = scene.bounds.min()[slab.up_axis],
+               highest = scene.bounds.max()[slab.up_axis];
+  for (double* height : {&slab.low, &slab.high}) {
+    if (!(*height >= lowest && *height <= highest)) {
+      throw InputError(slab.option,
+                       fmt::format("{} is outside the scene, which goes from {} to {} there",
+                                   *height, lowest, highest),
+                       "give a height between, or another --up");
+    }
+    *height = scene.lattice.round(*height);
+  }
+  return slab;
+}
+
+double step_of(const Scene& scene, int attempt) {
+  return std::ldexp(scene.lattice.step(), kCoarser * attempt);
+}
+
+/// The areas that were not chosen.
+template <class Region>
+void count_others(const FreeSpace& space, const Area& chosen, Region& region) {
+  region.others = space.areas().size() - 1;
+  for (const Area& area : space.areas()) region.area_of_others += FreeSpace::area_of(area);
+  region.area_of_others -= FreeSpace::area_of(chosen);
+}
+
 }  // namespace
 
 FreeRegion find_free_region(const Scene& scene, const FreeRegionOptions& asked) {
-  if (!(asked.clearance >= 0)) {
-    throw InputError("--clearance", "is negative or no number", "give a distance >= 0");
-  }
-  const double lowest = scene.bounds.min()[asked.up_axis],
-               highest = scene.bounds.max()[asked.up_axis];
-  if (!(asked.height >= lowest && asked.height <= highest)) {
-    throw InputError("--height",
-                     fmt::format("{} is outside the scene, which goes from {} to {} there",
-                                 asked.height, lowest, highest),
-                     "give a height between, or another --up");
-  }
-  FreeRegionOptions options = asked;
-  options.height = scene.lattice.round(asked.height);
+  const Slab slab = checked(
+      scene, {"--height", asked.up_axis, asked.height, asked.height, asked.clearance, asked.seed});
   for (int attempt = 1; attempt <= kMostTries; ++attempt) {
-    const FreeSpace space(scene, options, std::ldexp(scene.lattice.step(), kCoarser * attempt));
+    const FreeSpace space(scene, slab, step_of(scene, attempt));
     const Area& chosen = space.chosen();
     const ConvexParts parts = convex_parts(space.loops_of(chosen));
     if (parts.kind == FaceKind::kCrossing) continue;
     FreeRegion region;
     region.holes = chosen.number_of_holes();
-    region.others = space.areas().size() - 1;
-    for (const Area& area : space.areas()) region.area_of_others += FreeSpace::area_of(area);
-    region.area_of_others -= FreeSpace::area_of(chosen);
+    count_others(space, chosen, region);
     const double whole = FreeSpace::area_of(chosen);
     for (const ConvexPolygon& part : parts.polygons) {
       const double size = area(part);
@@ -216,6 +303,32 @@ FreeRegion find_free_region(const Scene& scene, const FreeRegionOptions& asked) 
                    fmt::format("the free space at height {} is too ragged for the scene's lattice",
                                asked.height),
                    "give another height or a larger --clearance");
+}
+
+FreeBoxes find_free_boxes(const Scene& scene, const FreeBoxOptions& asked) {
+  const Slab slab = checked(
+      scene, {"--volume", asked.up_axis, asked.low, asked.high, asked.clearance, asked.seed});
+  if (!(slab.high - slab.low >= 2 * step_of(scene, 1))) {
+    throw InputError(
+        "--volume",
+        fmt::format("{} is not above {} by more than the lattice", asked.high, asked.low),
+        "give the lower height first");
+  }
+  const FreeSpace space(scene, slab, step_of(scene, 1));
+  const Area& chosen = space.chosen();
+  FreeBoxes free;
+  free.boxes = space.boxes_in(chosen, asked.cells);
+  if (free.boxes.empty()) {
+    throw InputError("--cells",
+                     fmt::format("none of {} x {} x {} is wholly free", asked.cells[0],
+                                 asked.cells[1], asked.cells[2]),
+                     "give more cells");
+  }
+  count_others(space, chosen, free);
+  for (const Box& box : free.boxes) free.area += box.volume() / box.sizes()[slab.up_axis];
+  free.area /= static_cast<double>(asked.cells[static_cast<std::size_t>(slab.up_axis)]);
+  free.left_out = FreeSpace::area_of(chosen) - free.area;
+  return free;
 }
 
 }  // namespace viewcover

@@ -90,12 +90,12 @@ std::optional<Viewpoint> PositionSearch::position_that_sees(const ElementTarget&
     RegionCell cell{views_.region().address(i), i, views_.positions(i).region()};
     if (!views_.cell_sees_place(cell, place)) continue;
     for (int depth = 0; depth < kDeepest; ++depth) {
-      const Point middle = views_.positions(i).nearest(centroid(cell.polygon));
+      const Point middle = views_.positions(i).nearest(centroid(cell.polygon()));
       if (witnesses_.is_seen(middle, place) && views_.is_free(i, middle)) {
         return Viewpoint{middle, i};
       }
       if (cell.address.level() == kMaxSubdivisionLevel) break;
-      const auto quarter = quarters(cell.polygon);
+      const auto quarter = quarters(cell.polygon());
       int digit = 0;
       while (digit < 4 &&
              !views_.cell_sees_place(

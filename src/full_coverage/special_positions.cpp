@@ -27,7 +27,7 @@ SpecialPositions::SpecialPositions(const RegionViews& views) : views_(views) {
   extent_ = box.sizes().maxCoeff();
   const Point margin = Point::Constant(kSame * extent_);
   for (std::size_t i = 0; i < region.region_count(); ++i) {
-    const Box of_region = bounding_box(views.positions(i).region());
+    const Box of_region = views.positions(i).region().bounds();
     boxes_.emplace_back(of_region.min() - margin, of_region.max() + margin);
   }
   for (const ConvexPolygon& part : region.parts) {
@@ -69,7 +69,7 @@ void SpecialPositions::add_at(const Point& point, std::vector<Viewpoint>& positi
     Point position = region.nearest(point);
     if ((position - point).norm() > kRounding * boxes_[i].sizes().maxCoeff()) continue;
     if (!views_.is_free(i, position)) {
-      position = region.nearest(point + kStepOff * (centroid(region.region()) - point));
+      position = region.nearest(point + kStepOff * (region.region().middle() - point));
       if (!views_.is_free(i, position)) continue;
     }
     positions.push_back({position, i});
@@ -95,7 +95,7 @@ std::optional<Point> SpecialPositions::crossing(const Line& a, const Line& b, co
 
 std::vector<Viewpoint> SpecialPositions::beside(const Viewpoint& viewpoint) const {
   constexpr int kDirections = 8;
-  const ConvexPolygon& region = views_.positions(viewpoint.region).region();
+  const ConvexPolygon& region = views_.positions(viewpoint.region).region().polygon();
   const Point u = (region[1] - region[0]).normalized(),
               v = area_vector(region).normalized().cross(u);
   std::vector<Viewpoint> positions;

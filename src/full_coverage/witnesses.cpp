@@ -148,19 +148,19 @@ std::vector<std::pair<std::size_t, std::size_t>> Witnesses::lends(
     std::vector<std::size_t> near;
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!box.intersects(bounding_box(cells[i].polygon)) ||
-          !is_nearer_than(cells[i].polygon, polygon, contact_)) {
+      if (!box.intersects(bounding_box(cells[i].polygon())) ||
+          !is_nearer_than(cells[i].polygon(), polygon, contact_)) {
         continue;
       }
       near.push_back(i);
-      sides.push_back(sides_of(plane, cells[i].polygon));
+      sides.push_back(sides_of(plane, cells[i].polygon()));
     }
     for (std::size_t a = 0; a < near.size(); ++a) {
       for (std::size_t b = 0; b < near.size(); ++b) {
         const bool reaches_farther =
             (sides[b].front && !sides[a].front) || (sides[b].back && !sides[a].back);
         if (reaches_farther &&
-            is_nearer_than(cells[near[a]].polygon, cells[near[b]].polygon, contact_)) {
+            is_nearer_than(cells[near[a]].polygon(), cells[near[b]].polygon(), contact_)) {
           lends.emplace_back(near[a], near[b]);
         }
       }

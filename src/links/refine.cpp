@@ -28,7 +28,7 @@ constexpr double kPairsPerTask = 512;
 
 // Batches of a refinement that can be continued: small parts of a large scene, and so many in the
 // first wave that a small scene is done with the second.
-constexpr std::uint32_t kBatchesPerPart = 256;
+constexpr std::size_t kBatches = 256;
 constexpr std::size_t kFirstWave = 16;
 constexpr double kLargestGrowth = 64;
 // Of the time between checkpoints: a wave that ended a little early is saved.
@@ -39,15 +39,18 @@ struct RegionNode : PlanarPolygon {
   double area = 0;
 };
 
-/// All nodes of the region's quadtrees.
+/// All nodes of the quadtrees over the region's polygons, and the faces of its cells, which are not
+/// subdivided.
 class RegionNodes {
  public:
-  explicit RegionNodes(const ViewingRegion& region) : level_(region.level) {
-    nodes_.resize(region.parts.size() * offset(level_ + 1));
+  explicit RegionNodes(const ViewingRegion& region)
+      : level_(region.level), polygons_(region.polygon_count()) {
+    nodes_.resize(polygons_ * offset(level_ + 1) + region.face_regions.size());
     for (std::size_t p = 0; p < region.parts.size(); ++p) {
       const PartId part(p);
       const Plane plane(region.parts[p]);
-      for (int level = 0; level <= level_; ++level) {
+      const int finest = finest_level(part);
+      for (int level = 0; level <= finest; ++level) {
         for (std::size_t path = 0; path < std::size_t{1} << (2 * level); ++path) {
           const RegionAddress address(part, level, path);
           RegionNode& node = at(address);
@@ -55,7 +58,7 @@ class RegionNodes {
           node.polygon = level == 0 ? region.parts[p] : node.polygon;
           node.plane = plane;
           node.area = area(node.polygon);
-          if (level == level_) continue;
+          if (level == finest) continue;
           const auto children = quarters(node.polygon);
           for (int digit = 0; digit < 4; ++digit) {
             at(address.child(digit)).polygon = children[static_cast<std::size_t>(digit)];
@@ -66,20 +69,25 @@ class RegionNodes {
   }
 
   const RegionNode& operator[](RegionAddress address) const { return nodes_[index(address)]; }
-  bool is_finest(const RegionNode& node) const { return node.address.level() == level_; }
-  /// Finest regions below the node.
-  double leaves(const RegionNode& node) const {
-    return std::ldexp(1.0, 2 * (level_ - node.address.level()));
-  }
+  bool is_finest(const RegionNode& node) const { return levels_below(node) == 0; }
+  /// Finest nodes below the node.
+  double leaves(const RegionNode& node) const { return std::ldexp(1.0, 2 * levels_below(node)); }
 
  private:
+  int finest_level(PartId part) const { return part.value < polygons_ ? level_ : 0; }
+  int levels_below(const RegionNode& node) const {
+    return finest_level(node.address.owner()) - node.address.level();
+  }
   static std::size_t offset(int level) { return ((std::size_t{1} << (2 * level)) - 1) / 3; }
   std::size_t index(RegionAddress address) const {
-    return address.owner().value * offset(level_ + 1) + offset(address.level()) + address.path();
+    const std::size_t part = address.owner().value, each = offset(level_ + 1);
+    return part < polygons_ ? part * each + offset(address.level()) + address.path()
+                            : polygons_ * each + part - polygons_;
   }
   RegionNode& at(RegionAddress address) { return nodes_[index(address)]; }
 
   int level_;
+  std::size_t polygons_;
   std::vector<RegionNode> nodes_;
 };
 
@@ -118,7 +126,9 @@ class Refinement {
     for (const Surface& surface : scene.surfaces) {
       if (surface.is_target) total_pairs_ += leaves(area(surface.polygon));
     }
-    total_pairs_ *= static_cast<double>(region.region_count());
+    surfaces_per_batch_ = scene.surfaces.size() * region.parts.size() / kBatches;
+    total_pairs_ *= static_cast<double>(region.polygon_count() * region.regions_per_part() +
+                                        region.face_regions.size());
   }
 
   /// A part of the region and a cluster, with the occluders that may be between them.
@@ -158,7 +168,7 @@ class Refinement {
 
   void add_batches(const Batch& batch, std::vector<Batch>& all) const {
     const ClusterTree::Node& node = clusters_.nodes()[batch.cluster];
-    if (node.count > clusters_.nodes()[0].count / kBatchesPerPart && !node.is_leaf()) {
+    if (node.count > surfaces_per_batch_ && !node.is_leaf()) {
       const Shaft shaft(occluders_, regions_[RegionAddress(batch.part)], node.box);
       ShaftOccluders kept;
       if (!cull(shaft, batch.candidates, kOccludersPerCluster, kept)) {
@@ -358,6 +368,7 @@ class Refinement {
   RefineOptions options_;
   RefineProgress* progress_;
   double total_pairs_ = 0;
+  std::size_t surfaces_per_batch_ = 0;
 };
 
 }  // namespace

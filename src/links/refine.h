@@ -35,9 +35,10 @@ struct RefineCheckpoints {
 };
 
 /// Hierarchical visibility (paper, section 2.2, figure 4): all links between the viewing region and
-/// the scene's targets. Uses all threads of the current TBB arena; the result does not depend on
-/// their number, nor on whether and where it was continued. Errors: InputError if element_area asks
-/// for more than kMaxSubdivisionLevel levels; Interrupted; what `save` throws.
+/// the scene's targets, from polygons and from the faces of boxes. Uses all threads of the current
+/// TBB arena; the result does not depend on their number, nor on whether and where it was
+/// continued. Errors: InputError if element_area asks for more than kMaxSubdivisionLevel levels;
+/// Interrupted; what `save` throws.
 LinkSet refine(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                const VisibilityBackend& backend, const RefineOptions& options,
                RefineProgress* progress = nullptr, RefineCheckpoints* checkpoints = nullptr);

@@ -11,7 +11,7 @@ namespace viewcover {
 
 /// Which finest region sees which element (paper, section 2.3): one bit row a region over all
 /// elements. A bit is set iff a link joins the region or an ancestor of it to the element or an
-/// ancestor of it.
+/// ancestor of it. A box has the links of all its faces.
 ///
 /// The elements are the leaves of the quadtrees that the links made: the coarsest subdivision of
 /// each surface in which every link's element is a node. They tile every surface.

@@ -29,6 +29,7 @@ Bundle::Bundle(std::filesystem::path folder, Json record)
 
 void Bundle::write(const Solution& solution) const {
   write_regions(solution, folder_ / "regions.csv");
+  write_faces(solution, folder_ / "faces.csv");
   write_elements(solution, folder_ / "elements.csv");
   write_links(solution, folder_ / "links.csv");
   write_visibility(solution.matrix, folder_ / "visibility.mtx");

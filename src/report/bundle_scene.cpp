@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "report/run_record.h"
 #include "report/sha256.h"
@@ -108,15 +107,29 @@ ConvexPolygon corners_in(const CsvTable& table, std::size_t row) {
   return polygon;
 }
 
-ConvexPolygon polygon_of_cell(const CsvTable& cells, std::size_t row, const CsvTable& regions) {
+std::optional<RegionShape> region_in(const CsvTable& regions, std::size_t row) {
+  const ConvexPolygon corners = corners_in(regions, row);
+  if (!regions.has("volume") || regions.text(row, "volume").empty()) {
+    if (corners.size() < 3) return std::nullopt;
+    return RegionShape(corners);
+  }
+  const Box box = bounding_box(corners);
+  if (corners.size() != 8 || !(box.volume() > 0)) return std::nullopt;
+  return RegionShape(box);
+}
+
+std::optional<RegionShape> region_of_cell(const CsvTable& cells, std::size_t row,
+                                          const CsvTable& regions) {
   const std::size_t region = cells.count(row, "region") - 1;
-  if (region >= regions.size()) return {};
+  if (region >= regions.size()) return std::nullopt;
   const std::size_t level = cells.count(row, "level"), top = regions.count(region, "level");
-  if (level < top || level > static_cast<std::size_t>(kMaxSubdivisionLevel)) return {};
+  if (level < top || level > static_cast<std::size_t>(kMaxSubdivisionLevel)) return std::nullopt;
   const std::uint64_t path = cells.count(row, "path");
   const RegionAddress below(PartId(0), static_cast<int>(level - top),
                             path & ((std::uint64_t{1} << (2 * (level - top))) - 1));
-  return subdivided(corners_in(regions, region), below);
+  const std::optional<RegionShape> root = region_in(regions, region);
+  if (!root) return std::nullopt;
+  return subdivided(*root, below);
 }
 
 std::vector<Point> read_positions(const std::filesystem::path& file) {

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "report/csv_table.h"
 #include "scene/address.h"
+#include "scene/region_shape.h"
 #include "scene/scene.h"
 
 namespace viewcover {
@@ -28,9 +30,13 @@ BundleScene load_bundle_scene(const std::filesystem::path& folder,
 
 /// The polygon with the corners in columns x0, y0, z0, x1, ... of a row.
 ConvexPolygon corners_in(const CsvTable& table, std::size_t row);
-/// The polygon of a node of bound.csv or regions.csv, down the quadtree from the region that its
-/// row names; empty where it is not in that region.
-ConvexPolygon polygon_of_cell(const CsvTable& cells, std::size_t row, const CsvTable& regions);
+/// The region that a row of regions.csv has: a box where it has a volume. Nothing where it has
+/// neither three corners nor a box with a volume.
+std::optional<RegionShape> region_in(const CsvTable& regions, std::size_t row);
+/// The node of bound.csv or regions.csv, down from the region that its row names; nothing where it
+/// is not in that region.
+std::optional<RegionShape> region_of_cell(const CsvTable& cells, std::size_t row,
+                                          const CsvTable& regions);
 
 /// The columns x, y, z of a CSV file, exactly the doubles that its decimals read as. Errors:
 /// InputError for a file that cannot be read, and for a coordinate that is not a finite number.

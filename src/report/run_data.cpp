@@ -1,6 +1,8 @@
 #include "report/run_data.h"
 
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "optim/cover_file.h"
 #include "report/csv_table.h"
@@ -8,17 +10,6 @@
 
 namespace viewcover {
 namespace {
-
-/// The corners x0, y0, z0, x1, ... of a row, up to the first that is empty.
-ConvexPolygon corners_of(const CsvTable& table, std::size_t row) {
-  ConvexPolygon polygon;
-  for (std::size_t i = 0;; ++i) {
-    const std::string number = std::to_string(i);
-    if (!table.has("x" + number) || table.text(row, "x" + number).empty()) return polygon;
-    polygon.push_back(Point(table.number(row, "x" + number), table.number(row, "y" + number),
-                            table.number(row, "z" + number)));
-  }
-}
 
 /// Errors: InputError for a row that names no node, or not one after those of the rows before.
 RegionAddress region_address(const CsvTable& table, std::size_t row, const RegionAddress* before) {
@@ -42,6 +33,20 @@ void require_size(const std::filesystem::path& file, std::string_view what, std:
                    "has " + std::to_string(found) + " " + std::string(what) + ", not " +
                        std::to_string(expected),
                    "give the folder of one run");
+}
+
+void read_faces(const std::filesystem::path& file, RunData& run) {
+  const CsvTable table(file);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::vector<std::size_t> regions = table.counts(row, "regions");
+    for (std::size_t& region : regions) {
+      region = place_of(region, run.regions.size(), table.place(row));
+    }
+    const auto address = RegionAddress::from_file(table.count(row, "part"), 0, 0);
+    if (!address || !run.face_regions.emplace(address->owner(), std::move(regions)).second) {
+      throw InputError(table.place(row), "is no face of its own", "give the folder of one run");
+    }
+  }
 }
 
 void read_covers(const std::filesystem::path& file, RunData& run) {
@@ -84,6 +89,7 @@ RunData load_run_data(const std::filesystem::path& folder,
               .areas = {},
               .regions = {},
               .region_addresses = {},
+              .face_regions = {},
               .seen = {},
               .covers = {},
               .viewpoints = {},
@@ -94,19 +100,25 @@ RunData load_run_data(const std::filesystem::path& folder,
   }
   const CsvTable regions(folder / "regions.csv");
   for (std::size_t row = 0; row < regions.size(); ++row) {
-    run.regions.push_back(corners_of(regions, row));
+    const std::optional<RegionShape> shape = region_in(regions, row);
+    if (!shape) throw InputError(regions.place(row), "has fewer than 3 corners or no volume", "");
+    run.regions.push_back(*shape);
     run.region_addresses.push_back(
         region_address(regions, row, row == 0 ? nullptr : &run.region_addresses.back()));
-    if (run.regions.back().size() < 3) {
-      throw InputError(regions.place(row), "has fewer than 3 corners", "");
-    }
   }
+  if (regions.has("volume")) read_faces(folder / "faces.csv", run);
   run.seen = read_cover_file(folder / "visibility.mtx", CoverFormat::kMatrixMarket);
   require_size(folder / "visibility.mtx", "rows", run.seen.rows(), run.regions.size());
   require_size(folder / "visibility.mtx", "columns", run.seen.columns(), run.areas.size());
   read_covers(folder / "cover.csv", run);
   read_viewpoints(folder, run);
   return run;
+}
+
+std::vector<ConvexPolygon> RunData::region_pictures() const {
+  std::vector<ConvexPolygon> pictures;
+  for (const RegionShape& region : regions) pictures.push_back(region.picture());
+  return pictures;
 }
 
 std::vector<std::uint32_t> column_counts(const BitRows& bits, std::span<const std::size_t> rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "links/bit_rows.h"
@@ -30,13 +31,17 @@ struct RunData {
   Json record;                ///< run.json
   BundleScene bundle;         ///< the scene and its elements
   std::vector<double> areas;  ///< of the elements, scene units squared
-  std::vector<ConvexPolygon> regions;
+  std::vector<RegionShape> regions;
   std::vector<RegionAddress> region_addresses;  ///< ascending
-  BitRows seen;                                 ///< #regions x #elements
+  /// Regions that each face of boxes belongs to, by its part.
+  std::map<PartId, std::vector<std::size_t>> face_regions;
+  BitRows seen;  ///< #regions x #elements
   std::vector<CoverRow> covers;
   std::vector<ViewpointRow> viewpoints;
   BitRows seen_from_viewpoints;  ///< #viewpoints x #elements
 
+  /// The regions as pictures have them: boxes by a section (RegionShape::picture).
+  std::vector<ConvexPolygon> region_pictures() const;
   /// The regions of the last set; none if there is no set.
   std::vector<std::size_t> chosen() const {
     return covers.empty() ? std::vector<std::size_t>() : covers.back().regions;

@@ -1,5 +1,6 @@
 #include "report/scene_vtp.h"
 
+#include <algorithm>
 #include <array>
 
 #include "report/poly_data.h"
@@ -44,9 +45,16 @@ Cells cells_of(const Solution& solution) {
         subdivided(surface.polygon, matrix.elements[i]),
         {kElement, times_visible[i], covered_by[i], 0, id.value + 1, surface.group.value + 1});
   }
-  for (std::size_t i = 0; i < solution.region.region_count(); ++i) {
-    cells.add(solution.region.polygon(solution.region.address(i)),
-              {kRegion, 0, 0, chosen[i], 0, 0});
+  const ViewingRegion& region = solution.region;
+  for (std::size_t i = 0; i < region.polygon_count() * region.regions_per_part(); ++i) {
+    cells.add(region.polygon(region.address(i)), {kRegion, 0, 0, chosen[i], 0, 0});
+  }
+  // Of boxes each face once: chosen if a region that it belongs to is.
+  for (std::size_t face = 0; face < region.face_regions.size(); ++face) {
+    const bool of_chosen = std::ranges::any_of(
+        region.face_regions[face], [&](std::uint32_t number) { return chosen[number] != 0; });
+    cells.add(region.parts[region.polygon_count() + face],
+              {kRegion, 0, 0, of_chosen ? 1u : 0u, 0, 0});
   }
   return cells;
 }

@@ -100,12 +100,12 @@ class SightChecker {
     std::vector<Point> positions;
     for (std::size_t i = 0; i < kPositions && nodes.size() > 0; ++i) {
       const std::size_t row = random_.below(nodes.size());
-      const ConvexPolygon polygon = polygon_of_cell(nodes, row, regions_);
-      if (polygon.empty()) {
+      const auto shape = region_of_cell(nodes, row, regions_);
+      if (!shape) {
         claims_.push_back({claim, fmt::format("{} {} is in no region", kind, row + 1)});
         return;
       }
-      const RegionPositions places(polygon, bundle_.scene.bounds, bundle_.scene.lattice.exponent);
+      const RegionPositions places(*shape, bundle_.scene.bounds, bundle_.scene.lattice.exponent);
       const Point position = places.random(random_);
       if (touches_a_surface(position)) continue;
       rows.push_back(row);

@@ -1,6 +1,7 @@
 #include "report/tables.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -19,7 +20,7 @@ void write_corner_titles(FileWriter& out, std::size_t corners) {
   }
 }
 
-void write_corners(FileWriter& out, const ConvexPolygon& polygon, std::size_t corners) {
+void write_corners(FileWriter& out, std::span<const Point> polygon, std::size_t corners) {
   for (std::size_t i = 0; i < corners; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       out << ',';
@@ -28,14 +29,24 @@ void write_corners(FileWriter& out, const ConvexPolygon& polygon, std::size_t co
   }
 }
 
-void write_place(FileWriter& out, int level, std::uint64_t path, const ConvexPolygon& polygon) {
-  const Point centre = centroid(polygon);
+void write_place(FileWriter& out, int level, std::uint64_t path, const Point& centre) {
   out << level << ',' << path << ',' << centre.x() << ',' << centre.y() << ',' << centre.z();
 }
 
-std::size_t most_corners(const std::vector<ConvexPolygon>& polygons) {
+template <class Polygon>
+std::size_t most_corners(const std::vector<Polygon>& polygons) {
   std::size_t corners = 0;
-  for (const ConvexPolygon& polygon : polygons) corners = std::max(corners, polygon.size());
+  for (const Polygon& polygon : polygons) corners = std::max(corners, polygon.size());
+  return corners;
+}
+
+/// Of a polygon as they come; those of a box as tables.h says.
+std::vector<Point> corners_of(const RegionShape& shape) {
+  if (!shape.is_box()) return {shape.polygon().begin(), shape.polygon().end()};
+  std::vector<Point> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners.push_back(shape.box().corner(static_cast<Box::CornerType>(k)));
+  }
   return corners;
 }
 
@@ -71,25 +82,54 @@ void write_proof_of(const BitRows& matrix, const CoverProof& proof,
 
 void write_regions(const Solution& solution, const std::filesystem::path& file) {
   const ViewingRegion& region = solution.region;
-  std::vector<ConvexPolygon> polygons;
-  polygons.reserve(region.region_count());
+  std::vector<RegionShape> shapes;
+  std::vector<std::vector<Point>> corners;
   for (std::size_t i = 0; i < region.region_count(); ++i) {
-    polygons.push_back(region.polygon(region.address(i)));
+    shapes.push_back(region.shape(region.address(i)));
+    corners.push_back(corners_of(shapes.back()));
   }
   std::vector<bool> chosen(region.region_count(), false);
   for (const std::size_t row : solution.chosen()) chosen[row] = true;
 
-  const std::size_t corners = most_corners(polygons);
+  const bool has_boxes = !region.boxes.empty();
+  const std::size_t most = most_corners(corners);
   FileWriter out(file);
   out << "region,part,level,path,cx,cy,cz,area,chosen";
-  write_corner_titles(out, corners);
-  out << '\n';
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
+  write_corner_titles(out, most);
+  out << (has_boxes ? ",volume\n" : "\n");
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
     const RegionAddress address = region.address(i);
     out << i + 1 << ',' << address.owner().value + 1 << ',';
-    write_place(out, address.level(), address.path(), polygons[i]);
-    out << ',' << area(polygons[i]) << ',' << (chosen[i] ? '1' : '0');
-    write_corners(out, polygons[i], corners);
+    write_place(out, address.level(), address.path(), shapes[i].middle());
+    out << ',' << shapes[i].surface_area() << ',' << (chosen[i] ? '1' : '0');
+    write_corners(out, corners[i], most);
+    if (has_boxes) out << ',';
+    if (shapes[i].is_box()) out << shapes[i].box().volume();
+    out << '\n';
+  }
+  out.commit();
+}
+
+void write_faces(const Solution& solution, const std::filesystem::path& file) {
+  const ViewingRegion& region = solution.region;
+  if (region.boxes.empty()) {
+    std::filesystem::remove(file);
+    return;
+  }
+  constexpr std::size_t kCorners = 4;
+  FileWriter out(file);
+  out << "part,regions";
+  write_corner_titles(out, kCorners);
+  out << '\n';
+  for (std::size_t face = 0; face < region.face_regions.size(); ++face) {
+    const std::size_t part = region.polygon_count() + face;
+    out << part + 1 << ',';
+    const std::vector<std::uint32_t>& regions = region.face_regions[face];
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      if (i > 0) out << ' ';
+      out << regions[i] + 1;
+    }
+    write_corners(out, region.parts[part], kCorners);
     out << '\n';
   }
   out.commit();
@@ -115,7 +155,7 @@ void write_elements(const Solution& solution, const std::filesystem::path& file)
     const SurfaceId surface = elements[i].owner();
     out << i + 1 << ',' << surface.value + 1 << ',' << groups[solution.scene[surface].group.value]
         << ',';
-    write_place(out, elements[i].level(), elements[i].path(), polygons[i]);
+    write_place(out, elements[i].level(), elements[i].path(), centroid(polygons[i]));
     out << ',' << solution.matrix.areas[i] << ',' << times_visible[i];
     write_corners(out, polygons[i], corners);
     out << '\n';

@@ -15,8 +15,16 @@ namespace viewcover {
 // Errors: InputError where a file cannot be written.
 
 /// `region,part,level,path,cx,cy,cz,area,chosen,x0,y0,z0,...`: centre of mass, 1 for chosen regions
-/// and as many corners as the polygon with most has; missing ones are empty.
+/// and as many corners as the polygon with most has; missing ones are empty. Parts are the polygons
+/// of the region, then the faces of boxes, which are no regions, then the boxes. A box has the area
+/// of its six faces and eight corners, number k with the greater x, y and z where bits 0, 1 and 2
+/// of k are set. Where there are boxes, a last column has their `volume`, empty for polygons.
 void write_regions(const Solution& solution, const std::filesystem::path& file);
+
+/// `part,regions,x0,y0,z0,...,z3`: the faces of boxes, each once, by which links name them; the
+/// regions a face belongs to are numbers separated by spaces. No file without boxes, nor one of an
+/// earlier run.
+void write_faces(const Solution& solution, const std::filesystem::path& file);
 
 /// `element,surface,group,level,path,cx,cy,cz,area,times_visible,x0,y0,z0,...`
 void write_elements(const Solution& solution, const std::filesystem::path& file);

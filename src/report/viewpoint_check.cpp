@@ -80,8 +80,8 @@ class ViewpointChecker {
     for (std::size_t i = 0; i < viewpoints_.size(); ++i) {
       const Point position(viewpoints_.number(i, "x"), viewpoints_.number(i, "y"),
                            viewpoints_.number(i, "z"));
-      const ConvexPolygon polygon = corners_in(regions_, region(i));
-      if (polygon.size() < 3 || !lies_in(position, polygon)) {
+      const auto shape = region_in(regions_, region(i));
+      if (!shape || !shape->contains(position)) {
         return fmt::format("viewpoint {} lies outside region {}", i + 1, region(i) + 1);
       }
     }

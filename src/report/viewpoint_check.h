@@ -11,7 +11,7 @@
 namespace viewcover {
 
 /// Recomputes what a bundle claims about viewpoints:
-///  - each lies in the polygon that regions.csv has for its region, taken exactly;
+///  - each lies in the polygon or box that regions.csv has for its region, taken exactly;
 ///  - each row of viewpoints.mtx is a part of the region's row in visibility.mtx;
 ///  - together they see all that any region sees, but for as many elements as run.json admits, and
 ///    the percents of viewpoints.csv are theirs;

@@ -153,12 +153,12 @@ class WitnessChecker {
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
       RandomNumbers random(mixed(options_.seed) + i);
       if (random.below(stride) != 0) return;
-      const ConvexPolygon cell = polygon_of_cell(cells, pairs[i].first, regions);
-      if (cell.empty()) {
+      const auto cell = region_of_cell(cells, pairs[i].first, regions);
+      if (!cell) {
         wrong[i] = 1;
         return;
       }
-      const RegionPositions positions(cell, bundle_.scene.bounds, bundle_.scene.lattice.exponent);
+      const RegionPositions positions(*cell, bundle_.scene.bounds, bundle_.scene.lattice.exponent);
       wrong[i] = is_seen(positions.random(random), witnesses_[pairs[i].second]);
     });
     const auto first = std::ranges::find(wrong, 1);

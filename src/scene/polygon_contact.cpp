@@ -59,6 +59,36 @@ ExactKernel::Triangle_3 fan_triangle(std::span<const Point> polygon, std::size_t
   return {exact(polygon[0]), exact(polygon[i - 1]), exact(polygon[i])};
 }
 
+/// On which sides of a line or plane points lie.
+struct Sides {
+  bool front = false, back = false;
+  void add(int side) {
+    front |= side > 0;
+    back |= side < 0;
+  }
+};
+
+/// Does a plane keep the polygon on one side and the box on the other?
+bool are_apart(const Sides& polygon, const Sides& box) {
+  return !(polygon.front && box.front) && !(polygon.back && box.back) &&
+         !(polygon.front && polygon.back) && !(box.front && box.back);
+}
+
+Point corner_of(const Box& box, int number) {
+  return box.corner(static_cast<Box::CornerType>(number));
+}
+
+/// By the plane through an edge of the polygon and parallel to an axis.
+bool edge_keeps_apart(std::span<const Point> polygon, std::size_t edge, const Box& box, int axis) {
+  const Point &a = polygon[edge], &b = polygon[(edge + 1) % polygon.size()];
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  if (a[u] == b[u] && a[v] == b[v]) return false;  // there is no such plane
+  Sides of_polygon, of_box;
+  for (const Point& corner : polygon) of_polygon.add(turn(a, b, corner, axis));
+  for (int k = 0; k < 8; ++k) of_box.add(turn(a, b, corner_of(box, k), axis));
+  return are_apart(of_polygon, of_box);
+}
+
 // A squared distance computed from rounded differences is off by at most 5 units roundoff u = 2^-53
 // (difference, square: 3 u; two sums: 2 u), the square of the limit by one more: less than 4 * 2 u.
 constexpr double kSquaredDistanceSlack = 4 * std::numeric_limits<double>::epsilon();
@@ -78,6 +108,27 @@ bool cut_each_other(std::span<const Point> p, std::span<const Point> q) {
   if (!of_q.exists) return false;
   return edge_orientation(p, of_p.up, q, of_q.up) > 0 &&
          edge_orientation(p, of_p.down, q, of_q.down) < 0;
+}
+
+// The sum of the box and the mirrored polygon is a polyhedron whose facets come from a face of the
+// box, the polygon, or an edge of each; the polygon stays outside iff the origin is not inside it.
+bool enters_box(std::span<const Point> polygon, const Box& box) {
+  const Box extent = bounding_box(polygon);
+  if ((extent.min().array() >= box.max().array()).any() ||
+      (extent.max().array() <= box.min().array()).any()) {
+    return false;
+  }
+  Sides of_box;
+  for (int k = 0; k < 8; ++k) {
+    of_box.add(orientation(polygon[0], polygon[1], polygon[2], corner_of(box, k)));
+  }
+  if (!(of_box.front && of_box.back)) return false;
+  for (std::size_t edge = 0; edge < polygon.size(); ++edge) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (edge_keeps_apart(polygon, edge, box, axis)) return false;
+    }
+  }
+  return true;
 }
 
 bool is_nearer_than(std::span<const Point> p, std::span<const Point> q, double distance) {

@@ -88,31 +88,54 @@ class RegionChecker {
     }
   }
 
-  void check_part(std::size_t number, const ConvexPolygon& part) const {
+  void check_polygon(std::size_t number, const ConvexPolygon& part) const {
     const std::string name = fmt::format("region part {}", number + 1);
-    if (!check_.allow_outside) check_within_bounds(name, part);
+    if (!check_.allow_outside && is_outside(part)) refuse_outside(name);
     check_uncut(name, part);
     if (check_.clearance > 0) check_clearance(name, part);
     check_not_inside(name, part);
   }
 
+  // Surfaces are outside the box, so that what is nearest to one is a face.
+  void check_box(std::size_t number, const Box& box) const {
+    const std::string name = fmt::format("region box {}", number + 1);
+    if (!check_.allow_outside && !box.intersects(bounds_)) refuse_outside(name);
+    check_empty(name, box);
+    for (const ConvexPolygon& face : box_faces(box)) {
+      if (check_.clearance > 0) check_clearance(name, face);
+      check_not_inside(name, face);
+    }
+  }
+
  private:
   // Outside for certain: beyond one side of the box, or the box on one side of the part's plane.
-  void check_within_bounds(const std::string& name, const ConvexPolygon& part) const {
-    bool is_outside = !bounding_box(part).intersects(bounds_);
-    if (!is_outside) {
-      int sides = 0;
-      std::array<bool, 3> seen = {};
-      for (int corner = 0; corner < 8; ++corner) {
-        const Point p = bounds_.corner(static_cast<Box::CornerType>(corner));
-        seen[static_cast<std::size_t>(orientation(part[0], part[1], part[2], p) + 1)] = true;
-      }
-      for (const bool side : seen) sides += side;
-      is_outside = sides == 1 && !seen[1];
+  bool is_outside(const ConvexPolygon& part) const {
+    if (!bounding_box(part).intersects(bounds_)) return true;
+    int sides = 0;
+    std::array<bool, 3> seen = {};
+    for (int corner = 0; corner < 8; ++corner) {
+      const Point p = bounds_.corner(static_cast<Box::CornerType>(corner));
+      seen[static_cast<std::size_t>(orientation(part[0], part[1], part[2], p) + 1)] = true;
     }
-    if (is_outside) {
-      throw InputError(file_, name + " lies outside the scene's bounding box",
-                       "move it into the scene, or pass --allow-outside");
+    for (const bool side : seen) sides += side;
+    return sides == 1 && !seen[1];
+  }
+
+  [[noreturn]] void refuse_outside(const std::string& name) const {
+    throw InputError(file_, name + " lies outside the scene's bounding box",
+                     "move it into the scene, or pass --allow-outside");
+  }
+
+  void check_empty(const std::string& name, const Box& box) const {
+    std::vector<SurfaceId> within;
+    for (std::size_t s = 0; s < boxes_.size(); ++s) {
+      if (box.intersects(boxes_[s]) && enters_box(scene_.surfaces[s].polygon, box)) {
+        within.emplace_back(s);
+      }
+    }
+    if (!within.empty()) {
+      throw InputError(file_, name + " has inside " + counted_faces(scene_, within),
+                       "move it into free space; touching is allowed");
     }
   }
 
@@ -196,8 +219,11 @@ void check_region_is_free(const std::filesystem::path& file, const Scene& scene,
                      "use 0 or more, in scene units");
   }
   const RegionChecker checker(file, scene, check);
-  for (std::size_t part = 0; part < region.parts.size(); ++part) {
-    checker.check_part(part, region.parts[part]);
+  for (std::size_t part = 0; part < region.polygon_count(); ++part) {
+    checker.check_polygon(part, region.parts[part]);
+  }
+  for (std::size_t box = 0; box < region.boxes.size(); ++box) {
+    checker.check_box(box, region.boxes[box]);
   }
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -277,32 +277,12 @@ Box read_box(const json& value, const std::string& place, const Lattice& lattice
   return box;
 }
 
-// The faces across x, y and z, each at min and max, with the front outward.
-std::array<ConvexPolygon, 6> box_faces(const Box& box) {
-  std::array<ConvexPolygon, 6> faces;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    ConvexPolygon low(4, box.min());
-    low[1][v] = low[2][v] = box.max()[v];
-    low[2][u] = low[3][u] = box.max()[u];
-    ConvexPolygon high(low.rbegin(), low.rend());
-    for (Point& corner : high) corner[axis] = box.max()[axis];
-    faces[static_cast<std::size_t>(2 * axis)] = std::move(low);
-    faces[static_cast<std::size_t>(2 * axis + 1)] = std::move(high);
-  }
-  return faces;
-}
+struct ReadRegion {
+  std::vector<ConvexPolygon> polygons;
+  std::vector<Box> boxes;
+};
 
-using CornerSet = std::set<std::array<double, 3>>;
-
-CornerSet corner_set(const ConvexPolygon& polygon) {
-  CornerSet corners;
-  for (const Point& p : polygon) corners.insert({p.x(), p.y(), p.z()});
-  return corners;
-}
-
-std::vector<ConvexPolygon> read_json_region(const std::filesystem::path& file,
-                                            const Lattice& lattice) {
+ReadRegion read_json_region(const std::filesystem::path& file, const Lattice& lattice) {
   constexpr const char* kAdvice = R"(use "polygons" or "boxes")";
   const std::string name = file.string();
   const json root = parse(name, read_text(file));
@@ -321,21 +301,17 @@ std::vector<ConvexPolygon> read_json_region(const std::filesystem::path& file,
     throw InputError(name, "has no polygon and no box", kAdvice);
   }
 
-  std::vector<ConvexPolygon> parts;
+  ReadRegion region;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     for (ConvexPolygon& part :
          read_polygon(polygons[i], fmt::format("{}: polygon {}", name, i + 1), lattice)) {
-      parts.push_back(std::move(part));
+      region.polygons.push_back(std::move(part));
     }
   }
-  std::set<CornerSet> seen;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (ConvexPolygon& face :
-         box_faces(read_box(boxes[i], fmt::format("{}: box {}", name, i + 1), lattice))) {
-      if (seen.insert(corner_set(face)).second) parts.push_back(std::move(face));
-    }
+    region.boxes.push_back(read_box(boxes[i], fmt::format("{}: box {}", name, i + 1), lattice));
   }
-  return parts;
+  return region;
 }
 
 bool is_mesh_file(const std::filesystem::path& file) {
@@ -360,18 +336,52 @@ int region_level(std::size_t regions_per_part) {
 
 }  // namespace
 
-ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
-                                  std::size_t regions_per_part) {
-  ViewingRegion region;
-  region.level = region_level(regions_per_part);
-  region.parts =
-      is_mesh_file(file) ? load_convex_polygons(file, lattice) : read_json_region(file, lattice);
-  const std::size_t limit = RegionAddress::kOwnerLimit;
-  if (region.parts.size() >= limit) {
-    throw InputError(file.string(), fmt::format("has {} parts", region.parts.size()),
-                     fmt::format("use fewer than {}", limit));
+ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
+                                  int level) {
+  ViewingRegion region{.parts = std::move(polygons), .level = level, .boxes = std::move(boxes)};
+  const std::size_t per_part = region.regions_per_part();
+  auto number = static_cast<std::uint32_t>(region.parts.size() * per_part);
+  std::map<std::array<double, 6>, std::size_t> known;  // by least and greatest corner
+  for (const Box& box : region.boxes) {
+    for (std::size_t path = 0; path < per_part; ++path, ++number) {
+      const RegionShape cell =
+          subdivided(RegionShape(box), RegionAddress(PartId(std::size_t{0}), level, path));
+      for (ConvexPolygon& face : cell.faces()) {
+        const Box extent = bounding_box(face);
+        const Point &a = extent.min(), &b = extent.max();
+        const auto [place, is_new] = known.try_emplace({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()},
+                                                       region.face_regions.size());
+        if (is_new) {
+          region.parts.push_back(std::move(face));
+          region.face_regions.emplace_back();
+        }
+        region.face_regions[place->second].push_back(number);
+      }
+    }
   }
   return region;
+}
+
+ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
+                                  std::size_t regions_per_part) {
+  const int level = region_level(regions_per_part);
+  ReadRegion read;
+  if (is_mesh_file(file)) {
+    read.polygons = load_convex_polygons(file, lattice);
+  } else {
+    read = read_json_region(file, lattice);
+  }
+  // Addresses name polygons, boxes and the faces of cells.
+  constexpr std::size_t kLimit = RegionAddress::kOwnerLimit, kFaces = 6;
+  const std::size_t faces = read.boxes.size() << (2 * level);
+  if (read.polygons.size() + read.boxes.size() >= kLimit || faces >= kLimit / kFaces / 2) {
+    throw InputError(
+        file.string(),
+        fmt::format("has {} polygons and {} boxes", read.polygons.size(), read.boxes.size()),
+        fmt::format("use fewer than {} polygons, and {} boxes times --regions", kLimit / 2,
+                    kLimit / kFaces / 2));
+  }
+  return make_viewing_region(std::move(read.polygons), std::move(read.boxes), level);
 }
 
 }  // namespace viewcover

@@ -1,50 +1,93 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "scene/address.h"
 #include "scene/convex_polygon.h"
 #include "scene/lattice.h"
+#include "scene/region_shape.h"
 #include "scene/scene.h"
 
 namespace viewcover {
 
 /// The global viewing region: all places a camera may be (paper, section 2.1), as convex planar
-/// parts, each subdivided by a uniform quadtree down to `level`.
+/// polygons and free axis-parallel boxes. Each is subdivided into 4^level viewing regions: a
+/// polygon by a uniform quadtree, a box into boxes, its cells (RegionShape::quarters).
+///
+/// What is seen from a cell is what is seen from its six faces (paper, section 3), so visibility is
+/// computed for `parts`: the polygons, and each face of a cell once, whole. Regions and faces are
+/// told apart by the owner of their address: polygons count first, then faces, then boxes.
 struct ViewingRegion {
-  std::vector<ConvexPolygon> parts;  ///< indexed by PartId
-  int level = 0;                     ///< regions a part: 4^level
+  std::vector<ConvexPolygon> parts;  ///< polygons, then faces of cells; indexed by PartId
+  int level = 0;                     ///< regions a polygon or box: 4^level
+  std::vector<Box> boxes{};
+  /// Of each face of a cell, in the order of `parts`: the numbers of the regions it is a face of.
+  std::vector<std::vector<std::uint32_t>> face_regions{};
 
+  std::size_t polygon_count() const { return parts.size() - face_regions.size(); }
   std::size_t regions_per_part() const { return std::size_t{1} << (2 * level); }
-  std::size_t region_count() const { return parts.size() * regions_per_part(); }
+  std::size_t region_count() const { return (polygon_count() + boxes.size()) * regions_per_part(); }
 
-  /// Region number `index` in [0, region_count()): parts in turn, each in quadtree order.
-  RegionAddress address(std::size_t index) const {
-    return {PartId(index / regions_per_part()), level, index % regions_per_part()};
+  bool is_face(RegionAddress node) const {
+    return node.owner().value >= polygon_count() && node.owner().value < parts.size();
   }
-  /// The regions below a node are the numbers [first, first + count).
+  bool is_in_box(RegionAddress node) const { return node.owner().value >= parts.size(); }
+
+  /// Region number `index` in [0, region_count()): polygons in turn, then boxes, each in quadtree
+  /// order.
+  RegionAddress address(std::size_t index) const {
+    const std::size_t owner = index / regions_per_part(), faces = face_regions.size();
+    return {PartId(owner < polygon_count() ? owner : owner + faces), level,
+            index % regions_per_part()};
+  }
+  /// The regions below a node of a polygon or box are the numbers [first, first + count).
   std::size_t first_index(RegionAddress node) const {
-    return node.owner().value * regions_per_part() + (node.path() << (2 * (level - node.level())));
+    const std::size_t owner = node.owner().value - (is_in_box(node) ? face_regions.size() : 0);
+    return owner * regions_per_part() + (node.path() << (2 * (level - node.level())));
   }
   std::size_t index_count(RegionAddress node) const {
     return std::size_t{1} << (2 * (level - node.level()));
   }
+  /// Calls visit(number) for each region that sees what is seen from a node of `parts`.
+  template <class Visit>
+  void for_each_region(RegionAddress node, const Visit& visit) const {
+    if (is_face(node)) {
+      for (const std::uint32_t region : face_regions[node.owner().value - polygon_count()]) {
+        visit(std::size_t{region});
+      }
+      return;
+    }
+    const std::size_t first = first_index(node), count = index_count(node);
+    for (std::size_t i = first; i < first + count; ++i) visit(i);
+  }
+
+  /// Requires a node that is not in a box.
   ConvexPolygon polygon(RegionAddress node) const {
     return subdivided(parts[node.owner().value], node);
   }
+  RegionShape shape(RegionAddress node) const {
+    if (!is_in_box(node)) return polygon(node);
+    return subdivided(RegionShape(boxes[node.owner().value - parts.size()]), node);
+  }
 };
 
-/// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons; a box stands for
-/// its six faces, a face that two boxes share counts once), or the faces of an .obj, .off, .ply or
-/// .stl file, made convex like those of a scene. Coordinates go to `lattice`.
+/// The region of polygons and boxes, with the faces of the cells: one that several cells have
+/// counts once. Boxes have a volume. Cost: O(n log n) for n cells.
+ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
+                                  int level);
+
+/// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons, and boxes as
+/// `{"min": [x, y, z], "max": [x, y, z]}`), or the faces of an .obj, .off, .ply or .stl file, made
+/// convex like those of a scene. Coordinates go to `lattice`.
 ///
-/// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10). A JSON polygon that is planar and
-/// convex as far as four significant digits tell, but not on the lattice, becomes the triangles of
-/// a fan; corners within its edges are removed.
-/// Errors: InputError for a malformed file, a polygon that is degenerate, not planar or not
-/// convex, no polygon at all, a corner more than 2^26 lattice steps from the origin, or a number
-/// that is not a power of 4.
+/// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10): regions a polygon or box. A JSON
+/// polygon that is planar and convex as far as four significant digits tell, but not on the
+/// lattice, becomes the triangles of a fan; corners within its edges are removed. Errors:
+/// InputError for a malformed file, a polygon that is degenerate, not planar or not convex, no
+/// polygon at all, a corner more than 2^26 lattice steps from the origin, or a number that is not a
+/// power of 4.
 ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
                                   std::size_t regions_per_part);
 
@@ -53,14 +96,18 @@ struct RegionCheck {
   bool allow_outside = false;  ///< accept a region outside the scene's bounding box
 };
 
-/// Refuses a region where no camera can be: one that is cut by a surface (exact; touching is
-/// allowed), that comes nearer than `clearance` to one, that lies inside a closed object of the
-/// scene, or wholly outside the scene's bounding box. `file` names the region in messages.
+/// Refuses a region where no camera can be: a polygon that is cut by a surface, a box with a part
+/// of a surface inside (both exact; touching is allowed), one that comes nearer than `clearance` to
+/// one, that lies inside a closed object of the scene, or wholly outside the scene's bounding box.
+/// `file` names the region in messages.
 ///
 /// "Inside a closed object": the innermost closed connected surface round a point of the part faces
 /// away from it, or either way, and more of the scene's area lies outside that surface's bounding
 /// box than within (a room round a region is no object). "Wholly outside" is judged by the part's
 /// bounding box and its plane, so a part that passes a corner of the box may be accepted.
+///
+/// A box is judged as a whole, and its faces for clearance and closed objects. A face that lies on
+/// a surface is allowed and sees both sides of it, as a polygon there does.
 /// Errors: InputError that names the first such part and the first few faces (1-based, as in the
 /// file) and groups concerned; at `--clearance` for one that is negative or not finite.
 /// Cost: O(n log n) for n surfaces and O(n) a part, under 0.1 s for 16,000 surfaces; with a

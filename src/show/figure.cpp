@@ -119,13 +119,13 @@ std::string caption(const RunData& run) {
 
 int up_axis_of(const RunData& run) {
   std::array<double, 3> across{};
-  for (const ConvexPolygon& region : run.regions) {
+  for (const ConvexPolygon& region : run.region_pictures()) {
     const Point normal = area_vector(region);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       across[axis] += std::fabs(normal[static_cast<Eigen::Index>(axis)]);
     }
   }
-  constexpr double kClear = 2;  // boxes have faces across all axes
+  constexpr double kClear = 2;  // regions may lie across all axes
   for (int axis = 0; axis < 3; ++axis) {
     const double others = std::max(across[static_cast<std::size_t>((axis + 1) % 3)],
                                    across[static_cast<std::size_t>((axis + 2) % 3)]);
@@ -152,7 +152,7 @@ ViewDirection default_view(const RunData& run, const CommonElements& shown, int 
   constexpr double kStep = 45, kFirst = 235;  // degrees
   const Frame frame = Frame::with_up(up_axis);
   const std::vector<ConvexPolygon> polygons = polygons_of(run.bundle.scene, shown);
-  const std::vector<CutPlane> planes = cut_planes(run.bundle.scene, run.regions);
+  const std::vector<CutPlane> planes = cut_planes(run.bundle.scene, run.region_pictures());
   const std::vector<Point> corners = corners_of(run.bundle.scene);
   ViewDirection best;
   std::size_t most = 0;
@@ -199,12 +199,12 @@ void draw_figure(const RunData& run, const CommonElements& shown, const FigureOp
     legend.set_caption("what viewpoint " + std::to_string(*options.viewpoint + 1) +
                        " sees: " + caption(run));
   } else {
-    planes = cut_planes(scene, run.regions);
+    planes = cut_planes(scene, run.region_pictures());
     const std::vector<Point> corners = corners_of(scene);
     camera = make_outside_camera(
         corners, frame, options.view ? *options.view : default_view(run, shown, up_axis), area);
     polygons = uncut(shown, std::move(polygons), planes, camera->position());
-    regions = run.regions;
+    regions = run.region_pictures();
     legend.add_regions(!run.chosen().empty(), !run.viewpoints.empty());
   }
 

@@ -98,7 +98,7 @@ void add_scene(const RunData& run, const CommonElements& shown, Json& data) {
     surface_group.push_back(surface.group.value);
   }
   std::vector<float> planes;
-  for (const CutPlane& plane : cut_planes(scene, run.regions)) {
+  for (const CutPlane& plane : cut_planes(scene, run.region_pictures())) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       planes.push_back(static_cast<float>(plane.normal[axis]));
     }
@@ -117,7 +117,7 @@ void add_scene(const RunData& run, const CommonElements& shown, Json& data) {
 void add_results(const RunData& run, Json& data) {
   data["areas"] = encoded(std::vector<float>(run.areas.begin(), run.areas.end()));
   data["times_visible"] = encoded(run.bundle.times_visible);
-  data["regions"] = encoded_polygons(run.regions);
+  data["regions"] = encoded_polygons(run.region_pictures());
   data["seen"] = bit_rows(run.seen);
   data["covers"] = Json::array();
   for (const CoverRow& cover : run.covers) {

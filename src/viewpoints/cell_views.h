@@ -4,17 +4,19 @@
 #include <vector>
 
 #include "links/bit_rows.h"
-#include "scene/convex_polygon.h"
 #include "scene/viewing_region.h"
 #include "viewpoints/region_positions.h"
 
 namespace viewcover {
 
-/// A node at or below a region, with its polygon.
+/// A node at or below a region, with its points.
 struct RegionCell {
   RegionAddress address;
   std::size_t region = 0;
-  ConvexPolygon polygon;
+  RegionShape shape;
+
+  /// Requires a node of a polygon.
+  const ConvexPolygon& polygon() const { return shape.polygon(); }
 };
 
 /// What parts of regions see, by columns: what a lower bound is proved from. A part sees no more

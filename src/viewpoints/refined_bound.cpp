@@ -126,7 +126,7 @@ void BoundRefinement::split(std::span<const std::size_t> parents) {
     const RegionCell& parent = cells_[parents[job / 4]];
     RegionCell& child = children[job];
     child = {parent.address.child(static_cast<int>(job % 4)), parent.region,
-             quarters(parent.polygon)[job % 4]};
+             parent.shape.quarters()[job % 4]};
     const std::vector<BitRows::Word>& of_parent = seen_[parents[job / 4]];
     seen[job].assign(of_parent.size(), 0);
     for_each_bit(std::span<const BitRows::Word>(of_parent), [&](std::size_t column) {
@@ -154,8 +154,7 @@ void BoundRefinement::find_middles() {
   middles_.clear();
   for (const std::size_t i : cover_) {
     const RegionCell& cell = cells_[i];
-    middles_.push_back(
-        {cell.region, views_.positions(cell.region).nearest(centroid(cell.polygon))});
+    middles_.push_back({cell.region, views_.positions(cell.region).nearest(cell.shape.middle())});
   }
 }
 

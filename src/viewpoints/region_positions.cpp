@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "links/sampling.h"
-#include "scene/predicates.h"
 
 namespace viewcover {
 namespace {
@@ -28,11 +27,14 @@ int lowest_exponent(double x) {
 
 }  // namespace
 
-RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lattice_exponent)
+RegionPositions::RegionPositions(RegionShape region, const Box& scene, int lattice_exponent)
     : region_(std::move(region)) {
   int unit = -lattice_exponent;
   Box box = scene;
-  for (const Point& corner : region_) {
+  const Box bounds = region_.bounds();
+  const ConvexPolygon corners =
+      region_.is_box() ? ConvexPolygon{bounds.min(), bounds.max()} : region_.polygon();
+  for (const Point& corner : corners) {
     box.extend(corner);
     for (const double x : corner) {
       if (x != 0) unit = std::min(unit, lowest_exponent(x));
@@ -47,38 +49,58 @@ RegionPositions::RegionPositions(ConvexPolygon region, const Box& scene, int lat
   coarse_bits_ =
       std::min(bits_, std::clamp(kCheapCoordinateBits - coordinate_bits, kLeastBits, kEnoughBits));
 
-  const Point normal = area_vector(region_).normalized();
+  if (region_.is_box()) return;
+  const Point normal = area_vector(corners).normalized();
   std::size_t farthest = 1;
-  for (std::size_t i = 2; i < region_.size(); ++i) {
-    if ((region_[i] - region_[0]).norm() > (region_[farthest] - region_[0]).norm()) farthest = i;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    if ((corners[i] - corners[0]).norm() > (corners[farthest] - corners[0]).norm()) farthest = i;
   }
-  axes_[0] = region_[farthest] - region_[0];
+  axes_[0] = corners[farthest] - corners[0];
   axes_[1] = normal.cross(axes_[0]);
 }
 
 Point RegionPositions::nearest(const Point& point) const { return nearest(point, bits_); }
 
 Point RegionPositions::nearest(const Point& point, int bits) const {
-  const Point normal = area_vector(region_), from_a = point - region_[0];
+  if (region_.is_box()) return nearest_in_box(point, bits);
+  const ConvexPolygon& region = region_.polygon();
+  const Point normal = area_vector(region), from_a = point - region[0];
   // The triangle of the fan between whose edges through the first corner the point lies.
   std::size_t triangle = 0;
-  while (triangle + 3 < region_.size() &&
-         (region_[triangle + 2] - region_[0]).cross(from_a).dot(normal) > 0) {
+  while (triangle + 3 < region.size() &&
+         (region[triangle + 2] - region[0]).cross(from_a).dot(normal) > 0) {
     ++triangle;
   }
-  const Point b = region_[triangle + 1] - region_[0], c = region_[triangle + 2] - region_[0];
+  const Point b = region[triangle + 1] - region[0], c = region[triangle + 2] - region[0];
   const double whole = b.cross(c).dot(normal), steps = std::ldexp(1.0, bits);
   const double s = std::max(from_a.cross(c).dot(normal) / whole, 0.0),
                t = std::max(b.cross(from_a).dot(normal) / whole, 0.0);
   const double scale = std::max(s + t, 1.0);
   const double i = std::min(std::round(steps * (s / scale)), steps);
   const double j = std::min(std::round(steps * (t / scale)), steps - i);
-  return region_[0] + (i / steps) * b + (j / steps) * c;
+  return region[0] + (i / steps) * b + (j / steps) * c;
+}
+
+Point RegionPositions::nearest_in_box(const Point& point, int bits) const {
+  const Box& box = region_.box();
+  const double steps = std::ldexp(1.0, bits);
+  Point position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size = box.sizes()[axis];
+    const double share = std::clamp((point[axis] - box.min()[axis]) / size, 0.0, 1.0);
+    position[axis] = box.min()[axis] + std::round(steps * share) / steps * size;
+  }
+  return position;
 }
 
 Point RegionPositions::random(RandomNumbers& random) const {
   const double u = random.open_unit(), v = random.open_unit();
-  return nearest(PolygonSampler(region_).point(u, v), coarse_bits_);
+  if (region_.is_box()) {
+    const Box& box = region_.box();
+    const Point shares(u, v, random.open_unit());
+    return nearest(box.min() + shares.cwiseProduct(box.sizes()), coarse_bits_);
+  }
+  return nearest(PolygonSampler(region_.polygon()).point(u, v), coarse_bits_);
 }
 
 Point RegionPositions::near(const Point& position, double scale, RandomNumbers& random) const {
@@ -87,17 +109,11 @@ Point RegionPositions::near(const Point& position, double scale, RandomNumbers& 
   const double s = scale * step(), t = scale * step();
   // A step of 64 units at least, if there are as many bits.
   const int bits = std::clamp(kLeastBits - std::ilogb(scale), coarse_bits_, bits_);
-  return nearest(position + s * axes_[0] + t * axes_[1], bits);
-}
-
-bool lies_in(const Point& point, std::span<const Point> polygon) {
-  if (orientation(polygon[0], polygon[1], polygon[2], point) != 0) return false;
-  const int axis = projection_axis(polygon);
-  const int inside = turn(polygon[0], polygon[1], polygon[2], axis);
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    if (turn(polygon[k], polygon[(k + 1) % polygon.size()], point, axis) == -inside) return false;
+  if (region_.is_box()) {
+    const Point steps(s, t, scale * step());
+    return nearest(position + steps.cwiseProduct(region_.box().sizes()), bits);
   }
-  return true;
+  return nearest(position + s * axes_[0] + t * axes_[1], bits);
 }
 
 }  // namespace viewcover

@@ -1,5 +1,7 @@
 #include "viewpoints/region_views.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "links/cull.h"
@@ -31,19 +33,81 @@ RegionViews::RegionViews(const ViewedScene& viewed)
   for (std::size_t region = 0; region < views_.size(); ++region) {
     View& view = views_[region];
     std::ranges::sort(view.partial, {}, &PartialColumn::column);
-    positions_.emplace_back(viewed.region.polygon(viewed.region.address(region)),
-                            viewed.scene.bounds, viewed.scene.lattice.exponent);
-    const Box box = bounding_box(positions_[region].region());
+    positions_.emplace_back(viewed.region.shape(viewed.region.address(region)), viewed.scene.bounds,
+                            viewed.scene.lattice.exponent);
+    const Box box = positions_[region].region().bounds();
     for (std::size_t s = 0; s < viewed.scene.surfaces.size(); ++s) {
       if (box.intersects(bounding_box(viewed.scene.surfaces[s].polygon))) {
         view.touching.emplace_back(s);
       }
     }
   }
+  add_boxes();
+}
+
+/// The links of faces do not do for points inside a box: such a point may look at an element
+/// through a face that the element is hidden from, and hidden pairs have no list.
+void RegionViews::add_boxes() {
+  const std::size_t first = viewed_.region.polygon_count() * viewed_.region.regions_per_part();
+  std::vector<std::vector<OccluderId>> lists(views_.size());
+  tbb::parallel_for(first, views_.size(),
+                    [&](std::size_t region) { lists[region] = add_box(region); });
+  for (std::size_t region = first; region < views_.size(); ++region) {
+    const auto begin = static_cast<std::uint32_t>(stored_.size());
+    for (PartialColumn& partial : views_[region].partial) {
+      partial.occluders_begin += begin;
+      partial.occluders_end += begin;
+    }
+    stored_.insert(stored_.end(), lists[region].begin(), lists[region].end());
+  }
+}
+
+std::vector<OccluderId> RegionViews::add_box(std::size_t region) {
+  const Box& box = positions_[region].region().box();
+  View& view = views_[region];
+  std::vector<OccluderId> list;
+  std::optional<SurfaceId> surface;  // the one that `of_surface` is about
+  ShaftOccluders of_surface, kept;
+  const auto hides_surface = [&](SurfaceId id) {
+    const OccluderId place = viewed_.clusters.place(id);
+    const std::span<const Point> corners = occluders_.polygon(place);
+    const PlanarPolygon whole{ConvexPolygon(corners.begin(), corners.end()),
+                              occluders_.plane(place)};
+    const ShaftOccluder everything{.node = 0};
+    // Between a polygon and a box, as for clusters.
+    return cull(Shaft(occluders_, whole, box), {&everything, 1}, kOpenAll, of_surface);
+  };
+  bool is_hidden = false;
+  for_each_bit(viewed_.matrix.bits.row(region), [&](std::size_t column) {
+    const SurfaceId owner = viewed_.matrix.elements[column].owner();
+    const bool is_same = surface == owner;
+    if (!is_same) is_hidden = hides_surface(owner);
+    surface = owner;
+    // From outside the box only: a face that lies on a surface looks out on both sides.
+    if (is_hidden) return;
+    if (cull(Shaft(occluders_, elements_[column], box), of_surface, kOpenAll, kept)) return;
+    const auto number = static_cast<std::uint32_t>(column);
+    if (kept.empty()) {
+      if (is_same && !view.full.empty() &&
+          view.full.back().first + view.full.back().count == number) {
+        ++view.full.back().count;
+      } else {
+        view.full.push_back({number, 1});
+      }
+      return;
+    }
+    const auto begin = static_cast<std::uint32_t>(list.size());
+    for (const ShaftOccluder& occluder : kept) {
+      list.emplace_back(viewed_.clusters.nodes()[occluder.node].first);
+    }
+    view.partial.push_back({number, begin, static_cast<std::uint32_t>(list.size())});
+  });
+  return list;
 }
 
 void RegionViews::add_link(std::size_t index) {
   const Link link = viewed_.links[index];
+  if (viewed_.region.is_face(link.region)) return;
   const auto& elements = viewed_.matrix.elements;
   const auto begin = std::lower_bound(elements.begin(), elements.end(), link.element);
   const auto end = std::find_if_not(begin, elements.end(), [&](ElementAddress address) {
@@ -142,19 +206,40 @@ SmallList<ShaftOccluder, 96> RegionViews::shaft_occluders(std::size_t region,
 std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
                                                       std::size_t column) const {
   const RegionAddress address = viewed_.region.address(region);
-  const PlanarPolygon planar{positions_[region].region(),
-                             Plane(viewed_.region.parts[address.owner().value])};
-  Shaft shaft(occluders_, address, planar, viewed_.matrix.elements[column], elements_[column],
-              viewed_.one_sided);
-  if (!shaft.is_facing()) return std::nullopt;
   const auto occluders = shaft_occluders(region, column);
-  shaft.set_occluders(occluders);
-  return viewed_.backend.find_sight_line(shaft);
+  const bool is_box = viewed_.region.is_in_box(address);
+  for (const PlanarPolygon& face : faces_of(address, positions_[region].region())) {
+    Shaft shaft(occluders_, address, face, viewed_.matrix.elements[column], elements_[column],
+                viewed_.one_sided);
+    if (!shaft.is_facing()) continue;
+    ShaftOccluders kept(occluders.begin(), occluders.end());
+    if (is_box && cull(shaft, occluders, kOpenAll, kept)) continue;
+    shaft.set_occluders(kept);
+    if (auto line = viewed_.backend.find_sight_line(shaft)) return line;
+  }
+  return std::nullopt;
+}
+
+std::vector<PlanarPolygon> RegionViews::faces_of(RegionAddress address,
+                                                 const RegionShape& shape) const {
+  std::vector<PlanarPolygon> faces;
+  for (ConvexPolygon& face : shape.faces()) {
+    const Plane plane =
+        shape.is_box() ? Plane(face) : Plane(viewed_.region.parts[address.owner().value]);
+    faces.push_back({std::move(face), plane});
+  }
+  return faces;
 }
 
 bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
-  const PlanarPolygon planar{cell.polygon, Plane(viewed_.region.parts[cell.address.owner().value])};
-  Shaft shaft(occluders_, cell.address, planar, viewed_.matrix.elements[column], elements_[column],
+  return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
+    return face_sees(cell, face, column);
+  });
+}
+
+bool RegionViews::face_sees(const RegionCell& cell, const PlanarPolygon& face,
+                            std::size_t column) const {
+  Shaft shaft(occluders_, cell.address, face, viewed_.matrix.elements[column], elements_[column],
               viewed_.one_sided);
   if (!shaft.is_facing()) return false;
   ShaftOccluders kept;
@@ -165,13 +250,13 @@ bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
 }
 
 bool RegionViews::cell_sees_place(const RegionCell& cell, const ElementTarget& target) const {
-  if (std::ranges::none_of(cell.polygon,
+  if (std::ranges::none_of(cell.polygon(),
                            [&](const Point& corner) { return is_facing(target.column, corner); })) {
     return false;
   }
   // Sight lines run both ways: the place looks at the cell.
   const RegionAddress address = cell.address;
-  const PlanarPolygon planar{cell.polygon, Plane(viewed_.region.parts[address.owner().value])};
+  const PlanarPolygon planar{cell.polygon(), Plane(viewed_.region.parts[address.owner().value])};
   PointShaft shaft(
       occluders_, target.place,
       ElementAddress(SurfaceId(address.owner().value), address.level(), address.path()), planar,

@@ -38,14 +38,19 @@ struct ElementTarget {
 /// for the others the occluders that the link stored are culled to the cone of the viewpoint, and
 /// the backend decides where some are left.
 ///
+/// For a box, the occluders of an element are all that may meet the hull of the two, not those of
+/// the links of its faces: a point inside looks out through any of them.
+///
 /// An element counts as seen if a part of positive area is. From a viewpoint that touches no
 /// surface and lies in the region, everything seen is seen by the region: the open cone of the
 /// viewpoint lies in the region's shaft, and being free is an open condition, so points of the
-/// region's interior near the viewpoint see the same places (papers/viewpoints.md).
+/// region's interior near the viewpoint see the same places (papers/viewpoints.md). From inside a
+/// box, the sight line leaves it through a face, which sees the same place (papers/volumes.md).
 /// Immutable; concurrent calls are allowed.
 class RegionViews : public CellViews {
  public:
-  /// Cost: O(links + occluder lists + regions x elements / 64).
+  /// Cost: O(links + occluder lists + regions x elements / 64); of a box, shaft culling for each
+  /// element it sees, in parallel.
   explicit RegionViews(const ViewedScene& viewed);
 
   std::size_t region_count() const { return viewed_.matrix.bits.rows(); }
@@ -76,12 +81,14 @@ class RegionViews : public CellViews {
   /// none. Cost: a decision of the backend.
   std::optional<SightLine> find_sight_line(std::size_t region, std::size_t column) const;
 
-  /// Does a part of a region see an element? Asks the backend with the occluders that are stored
-  /// for the region, so the answer of an exact one is a theorem.
+  /// Does a part of a region see an element? Asks the backend, for a box from each face until one
+  /// does, with the occluders that are stored for the region, so the answer of an exact one is a
+  /// theorem.
   bool cell_sees(const RegionCell& cell, std::size_t column) const override;
 
   /// Does a part of the cell that has area see a place on an element that the region sees? Requires
-  /// a place whose difference to any corner is exact, in the plane of no region. Conservative for
+  /// a polygon, and a place whose difference to any corner is exact, in the plane of no region.
+  /// Conservative for
   /// one-sided elements whose plane cuts the cell.
   bool cell_sees_place(const RegionCell& cell, const ElementTarget& target) const;
 
@@ -107,6 +114,11 @@ class RegionViews : public CellViews {
   using Blockers = SmallList<OccluderId, 4>;
 
   void add_link(std::size_t link);
+  void add_boxes();
+  /// The occluders of its columns, in the places that its view names.
+  std::vector<OccluderId> add_box(std::size_t region);
+  std::vector<PlanarPolygon> faces_of(RegionAddress address, const RegionShape& shape) const;
+  bool face_sees(const RegionCell& cell, const PlanarPolygon& face, std::size_t column) const;
   bool sees(const PartialColumn& partial, const Point& position,
             const std::optional<ElementTarget>& target, Blockers& blockers) const;
   /// The occluders stored with the link of region and column; none if it is seen fully.

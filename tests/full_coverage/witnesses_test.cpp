@@ -49,7 +49,7 @@ Witnesses one_in_each_element(const SolvedScene& solved) {
 std::vector<RegionCell> quarters_of_regions(const SolvedScene& solved) {
   std::vector<RegionCell> cells;
   for (std::size_t i = 0; i < solved.views.region_count(); ++i) {
-    const auto quarter = quarters(solved.views.positions(i).region());
+    const auto quarter = solved.views.positions(i).region().quarters();
     for (int digit = 0; digit < 4; ++digit) {
       cells.push_back(
           {solved.region.address(i).child(digit), i, quarter[static_cast<std::size_t>(digit)]});
@@ -65,7 +65,7 @@ TEST(Witnesses, AreSeenByTheRegionsAndCellsOfPositionsThatSeeThem) {
   RandomNumbers random(5);
   std::size_t seen = 0, unseen_by_cells = 0;
   for (const RegionCell& cell : quarters_of_regions(*solved)) {
-    const RegionPositions positions(cell.polygon, solved->scene.bounds,
+    const RegionPositions positions(cell.polygon(), solved->scene.bounds,
                                     solved->scene.lattice.exponent);
     const Point position = positions.random(random);
     if (!solved->views.is_free(cell.region, position)) continue;
@@ -92,7 +92,7 @@ void expect_lent_what_guard_sees(const SolvedScene& solved, const Point& guard) 
   };
   std::size_t by_itself = 0, lent = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    if (!lies_in(guard, cells[cell].polygon)) continue;
+    if (!lies_in(guard, cells[cell].polygon())) continue;
     for (std::size_t w = 0; w < witnesses.size(); ++w) {
       if (!witnesses.is_seen(guard, witnesses[w])) continue;
       if (sees(cell, w)) {

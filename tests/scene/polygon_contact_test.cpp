@@ -211,5 +211,70 @@ TEST(IsNearerThan, AgreesWithAlternatingProjections) {
   EXPECT_GT(apart, 300u);
 }
 
+// Second opinion: the polygon cut to the closed box, in rational numbers. The mean of what is left
+// is inside iff any of it is.
+bool enters_by_cutting(const ConvexPolygon& polygon, const Box& box) {
+  std::vector<ExactVector> left;
+  for (const Point& corner : polygon) left.push_back(exact(corner));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const bool low : {true, false}) {
+      const Rational limit((low ? box.min() : box.max())[static_cast<Eigen::Index>(axis)]);
+      const auto height = [&](const ExactVector& x) -> Rational {
+        return low ? x[axis] - limit : limit - x[axis];
+      };
+      std::vector<ExactVector> kept;
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        const ExactVector &a = left[i], &b = left[(i + 1) % left.size()];
+        const Rational s = height(a), t = height(b);
+        if (s >= 0) kept.push_back(a);
+        if ((s > 0 && t < 0) || (s < 0 && t > 0)) {
+          const Rational share = s / (s - t);
+          ExactVector x;
+          for (std::size_t k = 0; k < 3; ++k) x[k] = a[k] + share * (b[k] - a[k]);
+          kept.push_back(x);
+        }
+      }
+      left = std::move(kept);
+    }
+  }
+  if (left.empty()) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Rational sum = 0;
+    for (const ExactVector& x : left) sum += x[axis];
+    const Rational mean = sum / static_cast<int>(left.size());
+    const auto k = static_cast<Eigen::Index>(axis);
+    if (mean <= Rational(box.min()[k]) || mean >= Rational(box.max()[k])) return false;
+  }
+  return true;
+}
+
+// Small whole numbers: corners, edges and planes meet all the time.
+TEST(EntersBox, AgreesWithCutting) {
+  std::mt19937_64 random(5);
+  std::uniform_int_distribution<int> number(-4, 4), side(1, 4);
+  int inside = 0, outside = 0, grazing = 0;
+  for (int i = 0; i < 20000; ++i) {
+    ConvexPolygon triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.push_back(Point(number(random), number(random), number(random)));
+    if (i % 3 == 0) {  // a parallelogram
+      triangle.push_back(triangle[0] + triangle[2] - triangle[1]);
+    }
+    if (!is_strictly_convex(triangle)) continue;
+    const Point least(number(random), number(random), number(random));
+    const Box box(least, least + Point(side(random), side(random), side(random)));
+    const bool truth = enters_by_cutting(triangle, box);
+    ASSERT_EQ(enters_box(triangle, box), truth) << "number " << i;
+    (truth ? inside : outside)++;
+    // A unit to either side: whatever touches from outside enters the grown box.
+    const Box grown(box.min() - Point::Constant(0x1p-10), box.max() + Point::Constant(0x1p-10));
+    grazing += !truth && enters_box(triangle, grown);
+    EXPECT_EQ(enters_box(triangle, grown), enters_by_cutting(triangle, grown));
+  }
+  EXPECT_GT(inside, 2000);
+  EXPECT_GT(outside, 2000);
+  EXPECT_GT(grazing, 200);
+}
+
 }  // namespace
 }  // namespace viewcover

@@ -325,5 +325,48 @@ TEST(RegionCheck, LargeSceneIsCheckedQuickly) {
       << "a sanitizer build may take ten times as long";
 }
 
+std::string box_refusal(const Scene& scene, const Box& box, const RegionCheck& check = {}) {
+  try {
+    check_region_is_free("region.json", scene, make_viewing_region({}, {box}, 1), check);
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RegionCheckOfBoxes, FreeAndTouchingBoxesAreAccepted) {
+  const Scene scene = made_scene({{"room", kRoom}, {"table", kTable}});
+  EXPECT_EQ(box_refusal(scene, {Point(5, 5, 20), Point(95, 95, 40)}), "");
+  EXPECT_EQ(box_refusal(scene, {Point(0, 0, 10), Point(100, 100, 50)}), "") << "on all sides";
+  EXPECT_EQ(box_refusal(scene, {Point(40, 0, 0), Point(100, 100, 50)}), "") << "beside the table";
+}
+
+TEST(RegionCheckOfBoxes, ASurfaceInsideIsRefusedThoughItTouchesNoFace) {
+  const Scene scene = made_scene(
+      {{"room", kRoom}, {"lamp", {{{50, 50, 30}, {52, 50, 30}, {50, 52, 31}}}}, {"table", kTable}});
+  const std::string refused = box_refusal(scene, {Point(40, 40, 20), Point(60, 60, 40)});
+  EXPECT_THAT(refused, HasSubstr("region box 1 has inside 1 face: 7 ('lamp')"));
+  // No polygon of its own is cut by it.
+  std::vector<ConvexPolygon> faces;
+  for (const ConvexPolygon& face : box_faces({Point(40, 40, 20), Point(60, 60, 40)})) {
+    faces.push_back(face);
+  }
+  EXPECT_EQ(refusal(scene, faces), "");
+  EXPECT_THAT(box_refusal(scene, {Point(10, 10, 5), Point(60, 60, 40)}), HasSubstr("'table'"));
+  EXPECT_THAT(box_refusal(scene, {Point(60, 5, 20), Point(130, 95, 40)}), HasSubstr("'room'"));
+}
+
+TEST(RegionCheckOfBoxes, ClearanceAndPlace) {
+  const Scene scene = made_scene({{"room", kRoom}, {"table", kTable}});
+  EXPECT_EQ(box_refusal(scene, {Point(25, 25, 15), Point(35, 35, 40)}, {.clearance = 5}), "");
+  EXPECT_THAT(box_refusal(scene, {Point(25, 25, 14), Point(35, 35, 40)}, {.clearance = 5}),
+              HasSubstr("region box 1 is nearer than the clearance 5 to 1 face"));
+  EXPECT_THAT(box_refusal(scene, {Point(25, 25, 2), Point(35, 35, 8)}),
+              HasSubstr("region box 1 lies inside the closed object 'table'"));
+  EXPECT_THAT(box_refusal(scene, {Point(101, 0, 0), Point(110, 9, 9)}),
+              HasSubstr("region box 1 lies outside the scene's bounding box"));
+}
+
 }  // namespace
 }  // namespace viewcover

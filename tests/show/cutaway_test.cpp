@@ -23,7 +23,7 @@ class Cutaway : public ::testing::Test {
     }
     const RunData run = made_run(surfaces, {"room"}, {level(1, 3, 1, 3, 1.5)}, {{}});
     std::vector<bool> cut;
-    for (const CutPlane& plane : cut_planes(run.bundle.scene, run.regions)) {
+    for (const CutPlane& plane : cut_planes(run.bundle.scene, run.region_pictures())) {
       cut.push_back(plane.cuts(camera));
     }
     return cut;

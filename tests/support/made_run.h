@@ -28,7 +28,7 @@ inline RunData made_run(const std::vector<ConvexPolygon>& surfaces,
     run.bundle.elements.emplace_back(SurfaceId(i), 0, 0);
     run.areas.push_back(area(surfaces[i]));
   }
-  run.regions = regions;
+  run.regions.assign(regions.begin(), regions.end());
   for (std::size_t i = 0; i < regions.size(); ++i) run.region_addresses.emplace_back(PartId(i));
   run.seen = BitRows(regions.size(), surfaces.size());
   CoverRow all;

@@ -43,7 +43,7 @@ TEST(RegionPositions, LieInTheirRegionExactly) {
         EXPECT_GE(positions.bits(), 6);
         Point position = positions.random(random);
         for (int step = 0; step < 30; ++step) {
-          ASSERT_TRUE(lies_in(position, positions.region()));
+          ASSERT_TRUE(positions.region().contains(position));
           ASSERT_EQ(orientation(polygon[0], polygon[1], polygon[2], position), 0);
           for (int axis = 0; axis < 3; ++axis) {
             ASSERT_TRUE(is_exact_difference(position[axis], 4 - std::ldexp(1.0, -kLattice)));
@@ -51,7 +51,7 @@ TEST(RegionPositions, LieInTheirRegionExactly) {
           }
           // A point a little beside the plane is outside, whatever the projection says.
           const Point beside = position + 1e-13 * area_vector(polygon).normalized();
-          (lies_in(beside, positions.region()) ? inside : outside)++;
+          (positions.region().contains(beside) ? inside : outside)++;
           position = positions.near(position, std::ldexp(1.0, -step), random);
         }
       }

@@ -82,9 +82,10 @@ TEST(RegionViews, SeeNoMoreThanTheirRegion) {
     const std::size_t region = random.below(solved->views.region_count());
     const RegionPositions& positions = solved->views.positions(region);
     // Borders and corners too.
-    const Point position = i % 3 == 0   ? positions.random(random)
-                           : i % 3 == 1 ? positions.nearest(positions.region()[random.below(4)])
-                                        : positions.near(positions.region()[0], 1, random);
+    const Point position = i % 3 == 0 ? positions.random(random)
+                           : i % 3 == 1
+                               ? positions.nearest(positions.region().polygon()[random.below(4)])
+                               : positions.near(positions.region().polygon()[0], 1, random);
     if (!solved->views.is_free(region, position)) continue;
     const Words row = seen_from(solved->views, region, position);
     const auto of_region = solved->matrix.bits.row(region);
