@@ -1,6 +1,7 @@
 #include "app/option_values.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -36,6 +37,25 @@ double finite_number(std::string_view option, std::string_view text, bool zero_a
   return number;
 }
 
+/// Numbers between commas.
+template <std::size_t kCount>
+std::array<double, kCount> numbers_in(std::string_view option, std::string_view text,
+                                      std::string_view form) {
+  std::array<double, kCount> numbers{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::size_t comma = rest.find(',');
+    const bool is_last = i + 1 == kCount;
+    if ((comma == std::string_view::npos) != is_last || !parse(rest.substr(0, comma), numbers[i]) ||
+        !std::isfinite(numbers[i])) {
+      throw InputError(option, "'" + std::string(text) + "' is not " + std::string(form),
+                       "give " + std::to_string(kCount) + " numbers");
+    }
+    if (!is_last) rest.remove_prefix(comma + 1);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::uint64_t count_option(std::string_view option, std::string_view text, std::uint64_t least,
@@ -61,6 +81,18 @@ double positive_option(std::string_view option, std::string_view text) {
 
 double non_negative_option(std::string_view option, std::string_view text) {
   return finite_number(option, text, true);
+}
+
+Point place_option(std::string_view option, std::string_view text) {
+  const auto numbers = numbers_in<3>(option, text, "X,Y,Z");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Box box_option(std::string_view option, std::string_view text) {
+  const auto numbers = numbers_in<6>(option, text, "X0,Y0,Z0,X1,Y1,Z1");
+  Box box(Point(numbers[0], numbers[1], numbers[2]));
+  box.extend(Point(numbers[3], numbers[4], numbers[5]));
+  return box;
 }
 
 void require_available(std::string_view option, std::string_view value,

@@ -12,28 +12,15 @@
 #include "report/file_writer.h"
 #include "report/run_record.h"
 #include "scene/error.h"
+#include "scene/polygon_soup.h"
 
 namespace viewcover {
 namespace {
 
 struct RegionText {
   CommonOptions common;
-  std::string scene, output, height, clearance = "0", up = "z", seed_point, heal;
+  std::string scene, output, height, clearance = "0", up = "z", seed_point, heal, crop;
 };
-
-Point place_option(std::string_view option, std::string_view text) {
-  constexpr double kLargest = 1e30;
-  Point place;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i == 2)) {
-      throw InputError(option, "is no place", "give three numbers X,Y,Z");
-    }
-    place[i] = number_option(option, text.substr(0, comma), -kLargest, kLargest);
-    text.remove_prefix(i == 2 ? text.size() : comma + 1);
-  }
-  return place;
-}
 
 FreeRegionOptions region_options(const RegionText& text) {
   constexpr double kLargest = 1e30;
@@ -60,7 +47,13 @@ int write_free_region(const RegionText& text) {
   const FreeRegionOptions options = region_options(text);
   SceneOptions scene_options;
   if (!text.heal.empty()) scene_options.heal = positive_option("--heal", text.heal);
+  if (!text.crop.empty()) scene_options.crop = box_option("--crop", text.crop);
   const Scene scene = load_scene(text.scene, scene_options);
+  if (!text.common.quiet) {
+    if (!scene.warning.empty()) print_error_line(scene.warning);
+    if (scene.repairs.cropped_faces > 0)
+      print_error_line(text.scene + ": " + scene.repairs.summary());
+  }
   const FreeRegion free = find_free_region(scene, options);
   // By the rules that `solve` has, before anything is written.
   check_region_is_free(text.output, scene, {.parts = free.parts, .level = 0},
@@ -91,8 +84,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
   const auto text = std::make_shared<RegionText>();
   CLI::App* const command =
       app.add_subcommand("region", "find where cameras may be: the free space at one height");
-  command->add_option("scene", text->scene, "the scene: .obj, .off, .ply or .stl")
-      ->type_name("SCENE");
+  command->add_option("scene", text->scene, "the scene: " + mesh_file_types())->type_name("SCENE");
   command->add_option("-o,--output", text->output, "the region file to write (JSON)")
       ->type_name("FILE");
   command->add_option("--height", text->height, "of the cameras")->type_name("H");
@@ -107,6 +99,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->type_name("X,Y,Z");
   command->add_option("--heal", text->heal, "close cracks up to this width, as `solve` does")
       ->type_name("W");
+  command->add_option("--crop", text->crop, kCropHelp)->type_name(kCropType);
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = write_free_region(*text); });
 }

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "scene/error.h"
+
 namespace viewcover {
 namespace {
 
@@ -92,6 +94,11 @@ std::optional<long long> whole_number(std::string_view word) {
     return word[0] == '-' ? Limits::min() : Limits::max();
   }
   return value;
+}
+
+void refuse_utf16(std::string_view text, const std::string& file) {
+  if (!text.starts_with("\xFF\xFE") && !text.starts_with("\xFE\xFF")) return;
+  throw InputError(file, "is a text in UTF-16", "save it in UTF-8");
 }
 
 std::string in_quotes(std::string_view word) {

@@ -36,8 +36,8 @@ struct ViewingRegion {
 };
 
 /// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons; a box stands for
-/// its six faces, a face that two boxes share counts once), or the faces of an .obj, .off, .ply or
-/// .stl file, made convex like those of a scene. Coordinates go to `lattice`.
+/// its six faces, a face that two boxes share counts once), or the faces of a mesh file
+/// (scene/polygon_soup.h), made convex like those of a scene. Coordinates go to `lattice`.
 ///
 /// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10). A JSON polygon that is planar and
 /// convex as far as four significant digits tell, but not on the lattice, becomes the triangles of
@@ -47,6 +47,11 @@ struct ViewingRegion {
 /// that is not a power of 4.
 ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
                                   std::size_t regions_per_part);
+
+/// The parts of a region from the content of a JSON file; `file` names it in messages. Errors as
+/// above.
+std::vector<ConvexPolygon> parse_json_region(const std::string& content, const std::string& file,
+                                             const Lattice& lattice);
 
 struct RegionCheck {
   double clearance = 0;        ///< least distance of a camera from any surface, scene units
