@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/error.h"
+#include "scene/soup_text.h"
 
 namespace viewcover {
 namespace {
@@ -71,8 +72,7 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size()) {
-      fail("\"" + std::string(word.substr(0, 40)) + "\" is not " + std::string(what),
-           "give a number");
+      fail(in_quotes(word) + " is not " + std::string(what), "give a number");
     }
     return value;
   }

@@ -10,16 +10,16 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cctype>
-#include <exception>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
-#include <new>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "scene/address.h"
+#include "scene/apart.h"
 #include "scene/asset_check.h"
 #include "scene/error.h"
 #include "scene/group_names.h"
@@ -27,6 +27,11 @@
 
 namespace viewcover {
 namespace {
+
+/// For assimp in a process of its own: bytes and seconds for a small file, and what it may need
+/// more for each byte of it (1 s a MiB).
+constexpr std::size_t kBytes = std::size_t{2} << 30, kBytesAByte = 64;
+constexpr unsigned kSeconds = 20;
 
 /// Files in memory, and no others.
 class MemoryFiles : public Assimp::IOSystem {
@@ -157,31 +162,121 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+/// A soup without lines as bytes, for a process that reads it at once.
+class SoupWriter {
+ public:
+  static std::string write(const PolygonSoup& soup) {
+    SoupWriter writer;
+    writer.add(soup.vertices.size());
+    for (const Point& v : soup.vertices) writer.add(std::array{v.x(), v.y(), v.z()});
+    writer.add(soup.faces.size());
+    for (std::size_t i = 0; i < soup.faces.size(); ++i) {
+      writer.add(soup.face_groups[i].value);
+      writer.add(soup.faces[i].size());
+      for (const std::uint32_t corner : soup.faces[i]) writer.add(corner);
+    }
+    writer.add(soup.groups.size());
+    for (const std::string& group : soup.groups) {
+      writer.add(group.size());
+      writer.bytes_ += group;
+    }
+    return std::move(writer.bytes_);
+  }
+
+ private:
+  template <class T>
+  void add(const T& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  std::string bytes_;
+};
+
+class SoupReader {
+ public:
+  explicit SoupReader(std::string_view bytes) : bytes_(bytes) {}
+
+  PolygonSoup read() {
+    PolygonSoup soup;
+    soup.vertices.resize(next<std::size_t>());
+    for (Point& v : soup.vertices) {
+      const auto coordinates = next<std::array<double, 3>>();
+      v = Point(coordinates[0], coordinates[1], coordinates[2]);
+    }
+    soup.faces.resize(next<std::size_t>());
+    for (PolygonSoup::Face& face : soup.faces) {
+      soup.face_groups.emplace_back(next<std::uint32_t>());
+      face.resize(next<std::size_t>());
+      for (std::uint32_t& corner : face) corner = next<std::uint32_t>();
+    }
+    soup.groups.resize(next<std::size_t>());
+    for (std::string& group : soup.groups) group = take(next<std::size_t>());
+    return soup;
+  }
+
+ private:
+  std::string_view take(std::size_t size) {
+    const std::string_view taken = bytes_.substr(0, size);
+    bytes_.remove_prefix(size);
+    return taken;
+  }
+  template <class T>
+  T next() {
+    T value;
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    return value;
+  }
+  std::string_view bytes_;
+};
+
+PolygonSoup read_with_assimp(std::string_view content, const AssetFiles& files,
+                             const std::string& file) {
+  Assimp::Importer importer;
+  keep_two_readers(importer);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetIOHandler(new MemoryFiles(content, files));  // which the importer owns
+  const aiScene* const scene = importer.ReadFile(files.main, 0);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw InputError(file, "assimp cannot read it: " + one_line(importer.GetErrorString()), "");
+  }
+  return SoupMaker(*scene, file).run();
+}
+
+[[noreturn]] void fail(const std::string& file, const Apart& apart) {
+  switch (apart.end) {
+    case Apart::End::kThrew: {
+      const std::string start = file + ": ";  // of an InputError
+      if (apart.bytes.starts_with(start)) {
+        throw InputError(file, apart.bytes.substr(start.size()), "");
+      }
+      throw InputError(file, "assimp cannot read it: " + one_line(apart.bytes), "");
+    }
+    case Apart::End::kNoMemory:
+      throw InputError(file, "assimp needs more memory for it than a file of its size should", "");
+    case Apart::End::kNoTime:
+      throw InputError(file, "assimp does not come to an end with it", "");
+    default:
+      throw InputError(file, "assimp breaks on it", "is the file whole?");
+  }
+}
+
 }  // namespace
 
 PolygonSoup parse_asset(std::string_view content, const std::filesystem::path& file) {
-  const bool is_collada =
-      std::tolower(static_cast<unsigned char>(file.extension().string()[1])) == 'd';
+  const std::string name = file.string();
+  const char kind = file.extension().string()[1];
+  const bool is_collada = kind == 'd' || kind == 'D';
   const AssetFiles files = is_collada ? check_collada(content, file) : check_gltf(content, file);
-  try {
-    Assimp::Importer importer;
-    keep_two_readers(importer);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-    importer.SetIOHandler(new MemoryFiles(content, files));  // which the importer owns
-    const aiScene* const scene = importer.ReadFile(files.main, 0);
-    if (scene == nullptr || scene->mRootNode == nullptr) {
-      throw InputError(file.string(),
-                       "assimp cannot read it: " + one_line(importer.GetErrorString()), "");
-    }
-    return SoupMaker(*scene, file.string()).run();
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(file.string(), "assimp cannot read it: " + one_line(error.what()), "");
-  }
+  std::size_t bytes = content.size();
+  for (const auto& [buffer, held] : files.buffers) bytes += held.size();
+  // assimp 5.2 crashes on files that are a little damaged.
+  const Apart apart =
+      run_apart([&] { return SoupWriter::write(read_with_assimp(content, files, name)); },
+                kBytes + kBytesAByte * bytes, kSeconds + static_cast<unsigned>(bytes >> 20));
+  if (apart.end != Apart::End::kDone) fail(name, apart);
+  PolygonSoup soup = SoupReader(apart.bytes).read();
+  soup.file = name;
+  return soup;
 }
 
 }  // namespace viewcover
