@@ -264,8 +264,7 @@ PolygonSoup read_with_assimp(std::string_view content, const AssetFiles& files,
 
 PolygonSoup parse_asset(std::string_view content, const std::filesystem::path& file) {
   const std::string name = file.string();
-  const char kind = file.extension().string()[1];
-  const bool is_collada = kind == 'd' || kind == 'D';
+  const bool is_collada = lower_suffix(file) == ".dae";
   const AssetFiles files = is_collada ? check_collada(content, file) : check_gltf(content, file);
   std::size_t bytes = content.size();
   for (const auto& [buffer, held] : files.buffers) bytes += held.size();

@@ -127,7 +127,7 @@ FarOut find_far_out(const PolygonSoup& soup) {
     far.vertices.insert(far.vertices.end(), face.begin(), face.end());
   }
   std::ranges::sort(far.vertices);
-  far.vertices.erase(std::ranges::unique(far.vertices).begin(), far.vertices.end());
+  far.vertices.erase(std::unique(far.vertices.begin(), far.vertices.end()), far.vertices.end());
   if (largest > 0) far.step_without = Lattice::for_extent(largest).step();
   return far;
 }

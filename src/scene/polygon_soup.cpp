@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -54,13 +53,6 @@ const FileFormat kFormats[] = {
 
 /// Those that assimp reads.
 constexpr std::array<std::string_view, 3> kAssets = {".gltf", ".glb", ".dae"};
-
-std::string lower_suffix(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
 
 bool is_asset(std::string_view suffix) {
   return std::find(kAssets.begin(), kAssets.end(), suffix) != kAssets.end();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,9 @@ std::optional<long long> whole_number(std::string_view word);
 
 /// Refuses a text that starts with the byte order mark of UTF-16. Errors: InputError.
 void refuse_utf16(std::string_view text, const std::string& file);
+
+/// What a file's name ends with, such as ".obj", in small letters.
+std::string lower_suffix(const std::filesystem::path& file);
 
 /// The word in quotes, on one line and cut to a readable length, for messages.
 std::string in_quotes(std::string_view word);

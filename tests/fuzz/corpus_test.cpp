@@ -18,8 +18,10 @@ TEST(Corpus, EveryLineIsReadOrRefused) {
 
 TEST(Corpus, IsReadOrRefusedWhereverItIsCutOrChanged) {
   for (const Reader& reader : readers()) {
+    // Each of these takes a process.
+    const std::size_t step = reader.name == "gltf" || reader.name == "dae" ? 11 : 1;
     for (const std::string& content : corpus_of(reader, VIEWCOVER_CORPUS)) {
-      for (std::size_t size = 0; size < content.size(); ++size) {
+      for (std::size_t size = 0; size < content.size(); size += step) {
         SCOPED_TRACE(std::string(reader.name) + ": " + as_line(content.substr(0, size)));
         reader.run(std::string_view(content).substr(0, size));
         std::string changed = content;
