@@ -11,6 +11,11 @@ struct CommonOptions {
   bool quiet = false;
 };
 
+/// `--crop`, which `solve`, `region` and `inspect` have.
+constexpr const char* kCropHelp =
+    "leave out the faces that lie wholly outside the box between two corners";
+constexpr const char* kCropType = "X0,Y0,Z0,X1,Y1,Z1";
+
 /// Adds `--threads`, `--seed` and `--quiet` to a command.
 void add_common_options(CLI::App& command, CommonOptions& options);
 

@@ -11,6 +11,7 @@
 #include "report/run_record.h"
 #include "scene/closed_surface.h"
 #include "scene/cracks.h"
+#include "scene/crop.h"
 #include "scene/error.h"
 #include "scene/polygon_soup.h"
 #include "scene/surface_mesh.h"
@@ -22,47 +23,11 @@ namespace {
 constexpr double kDefaultWidth = 0x1p-12;
 /// Cracks and outliers listed; all are counted.
 constexpr std::size_t kListed = 10;
-/// A vertex is far out beyond so many times the box that holds the middle 80 % of the vertices.
-constexpr double kFarOut = 20;
 
 struct InspectText {
   CommonOptions common;
-  std::string scene, width;
+  std::string scene, width, crop;
 };
-
-struct Extent {
-  double low = 0, high = 0;
-  double size() const { return high - low; }
-};
-
-/// Where the middle 80 % of the vertices lie along an axis.
-Extent usual_extent(const PolygonSoup& soup, int axis) {
-  std::vector<double> values;
-  for (const Point& vertex : soup.vertices) values.push_back(vertex[axis]);
-  std::ranges::sort(values);
-  const std::size_t cut = values.size() / 10;
-  return {values[cut], values[values.size() - 1 - cut]};
-}
-
-std::vector<std::size_t> outliers(const PolygonSoup& soup) {
-  std::array<Extent, 3> usual;
-  double size = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    usual[static_cast<std::size_t>(axis)] = usual_extent(soup, axis);
-    size = std::max(size, usual[static_cast<std::size_t>(axis)].size());
-  }
-  std::vector<std::size_t> far;
-  for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Extent& extent = usual[static_cast<std::size_t>(axis)];
-      const double x = soup.vertices[i][axis];
-      if (x >= extent.low - kFarOut * size && x <= extent.high + kFarOut * size) continue;
-      far.push_back(i);
-      break;
-    }
-  }
-  return far;
-}
 
 /// By the height of a room, where the scene is one: the least of its extents.
 std::string_view units_guess(const Box& bounds) {
@@ -94,7 +59,7 @@ Json cracks_of(const PolygonSoup& soup, double width) {
     if (listed.size() == kListed) break;
     listed.push_back({{"place", as_json(soup.vertices[crack.vertex])},
                       {"width", crack.width},
-                      {"face", crack.face + 1},
+                      {"face", soup.number_in_file(crack.face) + 1},
                       {"group", soup.groups[soup.face_groups[crack.face].value]}});
   }
   return {{"looked_for_up_to", width},
@@ -152,8 +117,12 @@ std::string as_lines(const Json& found) {
 int inspect(const InspectText& text) {
   if (text.scene.empty()) throw InputError("SCENE", "is missing", "give a file");
   PolygonSoup soup = read_polygon_soup(text.scene);
-  const Scene scene = make_scene(soup);
-  const std::vector<std::size_t> far = outliers(soup);
+  SceneOptions options;
+  if (!text.crop.empty()) options.crop = box_option("--crop", text.crop);
+  const Scene scene = make_scene(soup, options);
+  if (options.crop) crop(soup, *options.crop);
+  if (!scene.warning.empty() && !text.common.quiet) print_error_line(scene.warning);
+  const FarOut far = find_far_out(soup);
   const double largest =
       scene.bounds.min().cwiseAbs().cwiseMax(scene.bounds.max().cwiseAbs()).maxCoeff();
   const double width =
@@ -161,8 +130,8 @@ int inspect(const InspectText& text) {
   // Cracks are those of the scene as it is solved: on its lattice.
   for (Point& vertex : soup.vertices) vertex = scene.lattice.round(vertex) + Point::Zero();
   Json places = Json::array();
-  for (std::size_t i = 0; i < std::min(far.size(), kListed); ++i) {
-    places.push_back(soup.place_of_vertex(far[i]));
+  for (std::size_t i = 0; i < std::min(far.vertices.size(), kListed); ++i) {
+    places.push_back(soup.place_of_vertex(far.vertices[i]));
   }
   const Json found = {{"scene", scene.name},
                       {"size",
@@ -177,7 +146,11 @@ int inspect(const InspectText& text) {
                       {"repairs", repairs_of(scene)},
                       {"surface", surface_of(scene)},
                       {"cracks", cracks_of(soup, width)},
-                      {"far_out", {{"vertices", far.size()}, {"places", places}}}};
+                      {"far_out",
+                       {{"vertices", far.vertices.size()},
+                        {"faces", far.faces.size()},
+                        {"lattice_step_without", far.step_without},
+                        {"places", places}}}};
   if (!text.common.quiet) print_out(as_lines(found));
   print_out(found.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   return kDone;
@@ -189,12 +162,12 @@ void add_inspect_command(CLI::App& app, int& exit_code) {
   const auto text = std::make_shared<InspectText>();
   CLI::App* const command = app.add_subcommand(
       "inspect", "what a scene is like: size, repairs, pieces, cracks, vertices far out");
-  command->add_option("scene", text->scene, "the scene: .obj, .off, .ply or .stl")
-      ->type_name("SCENE");
+  command->add_option("scene", text->scene, "the scene: " + mesh_file_types())->type_name("SCENE");
   command
       ->add_option("--width", text->width,
                    "cracks to look for (default: 1/4096 of the largest coordinate)")
       ->type_name("W");
+  command->add_option("--crop", text->crop, kCropHelp)->type_name(kCropType);
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = inspect(*text); });
 }

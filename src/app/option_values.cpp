@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -36,6 +37,25 @@ double finite_number(std::string_view option, std::string_view text, bool zero_a
         zero_allowed ? "give a finite number, 0 or more" : "give a finite number greater than 0");
   }
   return number;
+}
+
+/// Numbers between commas.
+template <std::size_t kCount>
+std::array<double, kCount> numbers_in(std::string_view option, std::string_view text,
+                                      std::string_view form) {
+  std::array<double, kCount> numbers{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::size_t comma = rest.find(',');
+    const bool is_last = i + 1 == kCount;
+    if ((comma == std::string_view::npos) != is_last || !parse(rest.substr(0, comma), numbers[i]) ||
+        !std::isfinite(numbers[i])) {
+      throw InputError(option, "'" + std::string(text) + "' is not " + std::string(form),
+                       "give " + std::to_string(kCount) + " numbers");
+    }
+    if (!is_last) rest.remove_prefix(comma + 1);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -81,6 +101,18 @@ std::uint64_t bytes_option(std::string_view option, std::string_view text) {
                      "give a number of bytes, such as 500M or 8G");
   }
   return static_cast<std::uint64_t>(bytes * unit);
+}
+
+Point place_option(std::string_view option, std::string_view text) {
+  const auto numbers = numbers_in<3>(option, text, "X,Y,Z");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Box box_option(std::string_view option, std::string_view text) {
+  const auto numbers = numbers_in<6>(option, text, "X0,Y0,Z0,X1,Y1,Z1");
+  Box box(Point(numbers[0], numbers[1], numbers[2]));
+  box.extend(Point(numbers[3], numbers[4], numbers[5]));
+  return box;
 }
 
 void require_available(std::string_view option, std::string_view value,

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/types.h"
+
 namespace viewcover {
 
 // Option values from their text. Errors: InputError at the option for text that is not wholly a
@@ -23,6 +25,10 @@ double non_negative_option(std::string_view option, std::string_view text);
 
 /// A size of at least 1 MiB as bytes: a number and, for powers of 1024, K, M, G or T.
 std::uint64_t bytes_option(std::string_view option, std::string_view text);
+/// Three finite numbers X,Y,Z.
+Point place_option(std::string_view option, std::string_view text);
+/// The box between two corners, X0,Y0,Z0,X1,Y1,Z1, in any order.
+Box box_option(std::string_view option, std::string_view text);
 
 /// Refuses a value that is not among `available`, as `--option value: not in this version; use
 /// ...`.

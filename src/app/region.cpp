@@ -13,13 +13,15 @@
 #include "report/file_writer.h"
 #include "report/run_record.h"
 #include "scene/error.h"
+#include "scene/polygon_soup.h"
 
 namespace viewcover {
 namespace {
 
 struct RegionText {
   CommonOptions common;
-  std::string scene, output, height, volume, cells, clearance = "0", up = "z", seed_point, heal;
+  std::string scene, output, height, volume, cells, clearance = "0", up = "z", seed_point, heal,
+                                                    crop;
 };
 
 constexpr double kLargest = 1e30;
@@ -38,15 +40,6 @@ std::array<std::string_view, N> fields_of(std::string_view option, std::string_v
     text.remove_prefix(i + 1 == N ? text.size() : comma + 1);
   }
   return fields;
-}
-
-Point place_option(std::string_view option, std::string_view text) {
-  const auto fields = fields_of<3>(option, text, "is no place", "give three numbers X,Y,Z");
-  Point place;
-  for (std::size_t i = 0; i < 3; ++i) {
-    place[static_cast<Eigen::Index>(i)] = number_option(option, fields[i], -kLargest, kLargest);
-  }
-  return place;
 }
 
 /// What FreeRegionOptions and FreeBoxOptions have in common.
@@ -157,7 +150,14 @@ int write_free_region(const RegionText& text) {
   }
   SceneOptions scene_options;
   if (!text.heal.empty()) scene_options.heal = positive_option("--heal", text.heal);
+  if (!text.crop.empty()) scene_options.crop = box_option("--crop", text.crop);
   const Scene scene = load_scene(text.scene, scene_options);
+  if (!text.common.quiet) {
+    if (!scene.warning.empty()) print_error_line(scene.warning);
+    if (scene.repairs.cropped_faces > 0) {
+      print_error_line(text.scene + ": " + scene.repairs.summary());
+    }
+  }
   if (polygons) write_polygons(text, scene, *polygons);
   if (boxes) write_boxes(text, scene, *boxes);
   return kDone;
@@ -169,8 +169,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
   const auto text = std::make_shared<RegionText>();
   CLI::App* const command = app.add_subcommand(
       "region", "find where cameras may be: the free space at one height or between two");
-  command->add_option("scene", text->scene, "the scene: .obj, .off, .ply or .stl")
-      ->type_name("SCENE");
+  command->add_option("scene", text->scene, "the scene: " + mesh_file_types())->type_name("SCENE");
   command->add_option("-o,--output", text->output, "the region file to write (JSON)")
       ->type_name("FILE");
   command->add_option("--height", text->height, "of the cameras")->type_name("H");
@@ -192,6 +191,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->type_name("X,Y,Z");
   command->add_option("--heal", text->heal, "close cracks up to this width, as `solve` does")
       ->type_name("W");
+  command->add_option("--crop", text->crop, kCropHelp)->type_name(kCropType);
   add_common_options(*command, text->common);
   command->callback([text, &exit_code] { exit_code = write_free_region(*text); });
 }

@@ -1,9 +1,11 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -15,6 +17,7 @@
 #include "approx/ray_query.h"
 #include "optim/stopwatch.h"
 #include "scene/error.h"
+#include "scene/json_text.h"
 #include "scene/predicates.h"
 
 namespace viewcover {
@@ -110,6 +113,10 @@ int sees(const SeesText& text) {
   const SeesOptions options(text);
   std::ifstream file;
   if (!text.file.empty() && text.file != "-") {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(text.file, ignored)) {
+      throw InputError(text.file, "is a folder", "give a file of JSON lines");
+    }
     file.open(text.file);
     if (!file) throw InputError(text.file, "cannot be read", "give a file of JSON lines");
   }
@@ -121,6 +128,7 @@ int sees(const SeesText& text) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     Json result, object;
     try {
+      refuse_deep_json(line, "query");
       object = Json::parse(line);
       result = answer(object, options);
     } catch (const Json::exception& error) {

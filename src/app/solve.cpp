@@ -206,7 +206,9 @@ int solve(const SolveOptions& options) {
                                                       .one_sided = options.one_sided,
                                                       .merge_coplanar = options.merge_coplanar,
                                                       .heal = options.heal,
+                                                      .crop = options.crop,
                                                       .targets = options.targets});
+  if (!scene.warning.empty() && !options.quiet) print_error_line(scene.warning);
   if (scene.repairs.any() && !options.quiet) {
     print_error_line(options.scene_file.string() + ": " + scene.repairs.summary());
   }

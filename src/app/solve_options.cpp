@@ -6,6 +6,7 @@
 #include "app/option_values.h"
 #include "optim/cover_methods.h"
 #include "scene/error.h"
+#include "scene/polygon_soup.h"
 
 namespace viewcover {
 namespace {
@@ -47,8 +48,8 @@ void SolveText::add_to(CLI::App& command) {
                           const char* type) {
     return command.add_option(name, value, what)->type_name(type);
   };
-  option("scene", scene_file, "the scene: .obj, .off, .ply or .stl", "SCENE");
-  option("--region", region_file, "the viewing region: .json, .obj, .off, .ply or .stl", "REGION");
+  option("scene", scene_file, "the scene: " + mesh_file_types(), "SCENE");
+  option("--region", region_file, "the viewing region: .json, " + mesh_file_types(), "REGION");
   option("-o,--output", output, "the folder for the results", "DIR");
   option("--backend", backend, "who decides shafts with several occluders: " + backend_names,
          "NAME");
@@ -87,6 +88,7 @@ void SolveText::add_to(CLI::App& command) {
       "--heal", heal,
       "close cracks up to this width: vertices that near to an edge or a vertex are joined to it",
       "W");
+  option("--crop", crop, kCropHelp, kCropType);
   command
       .add_option("--target", targets,
                   "a group to be seen, by its name or its object's, once for each; the others only "
@@ -166,6 +168,7 @@ SolveOptions::SolveOptions(const SolveText& text)
   if (!text.memory_limit.empty()) {
     memory_limit = bytes_option("--memory-limit", text.memory_limit);
   }
+  if (!text.crop.empty()) crop = box_option("--crop", text.crop);
   if (!text.heal.empty()) heal = positive_option("--heal", text.heal);
   if (!text.lattice.empty()) {
     lattice_exponent =
@@ -191,6 +194,11 @@ Json SolveOptions::to_json(double used_element_area) const {
   options["lattice"] = lattice_exponent ? Json(*lattice_exponent) : Json(nullptr);
   options["merge_coplanar"] = merge_coplanar;
   options["heal"] = heal;
+  options["crop"] = nullptr;
+  if (crop) {
+    const Point &low = crop->min(), &high = crop->max();
+    options["crop"] = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+  }
   options["targets"] = targets;
   options["allow_outside"] = allow_outside;
   return options;

@@ -19,7 +19,7 @@ struct SolveText {
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
   std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
-  std::string clearance = "0", time_limit, close_gap, lattice, heal, memory_limit;
+  std::string clearance = "0", time_limit, close_gap, lattice, heal, crop, memory_limit;
   std::string checkpoint = "10";
   std::vector<std::string> targets;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
@@ -49,6 +49,7 @@ struct SolveOptions {
   std::optional<int> lattice_exponent;
   bool merge_coplanar = false;
   double heal = 0;
+  std::optional<Box> crop;
   std::vector<std::string> targets;  ///< none: all groups
   bool allow_outside = false;
   bool resume = false;             ///< continue what is in `output`

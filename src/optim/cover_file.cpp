@@ -2,16 +2,19 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/error.h"
+#include "scene/soup_text.h"
 
 namespace viewcover {
 namespace {
 
-constexpr std::size_t kMostBits = std::size_t{1} << 36;
 constexpr std::size_t kMostSide = std::size_t{1} << 31;
 
 std::string text_of(const std::filesystem::path& file) {
@@ -69,8 +72,7 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size()) {
-      fail("\"" + std::string(word.substr(0, 40)) + "\" is not " + std::string(what),
-           "give a number");
+      fail(in_quotes(word) + " is not " + std::string(what), "give a number");
     }
     return value;
   }
@@ -104,18 +106,30 @@ class Words {
   std::size_t at_ = 0, line_ = 1, next_line_ = 1;
 };
 
-/// #rows x #columns, refused before anything is allocated if a file of this size cannot mean it.
-BitRows matrix_of(Words& words, std::size_t rows, std::size_t columns) {
+/// What a file says, before the matrix is made: a malformed file costs no more than its size,
+/// whatever it claims.
+struct Entries {
+  std::size_t rows = 0, columns = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> set;
+
+  void add(std::size_t row, std::size_t column) {
+    set.emplace_back(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column));
+  }
+};
+
+/// None yet. Refuses sizes that no matrix can have.
+Entries entries_of(const Words& words, std::size_t rows, std::size_t columns,
+                   std::size_t most_entries) {
   if (rows > kMostSide || columns > kMostSide ||
-      (rows > 0 && (columns + 63) / 64 * 64 > kMostBits / rows)) {
+      (rows > 0 && (columns + 63) / 64 * 64 > most_entries / rows)) {
     words.fail("a matrix of " + std::to_string(rows) + " times " + std::to_string(columns) +
                    " is too large",
                "at most 2^36 entries");
   }
-  return {rows, columns};
+  return {rows, columns, {}};
 }
 
-BitRows read_matrix_market(Words words) {
+Entries read_matrix_market(Words& words, std::size_t most_entries) {
   const std::string_view banner = words.line();
   if (banner != "%%MatrixMarket matrix coordinate pattern general") {
     words.fail("no pattern matrix",
@@ -124,56 +138,56 @@ BitRows read_matrix_market(Words words) {
   words.skip_lines('%');
   const auto rows = words.number<std::size_t>("a number of rows"),
              columns = words.number<std::size_t>("a number of columns"),
-             entries = words.number<std::size_t>("a number of entries");
-  BitRows matrix = matrix_of(words, rows, columns);
-  for (std::size_t i = 0; i < entries; ++i) {
+             count = words.number<std::size_t>("a number of entries");
+  Entries entries = entries_of(words, rows, columns, most_entries);
+  for (std::size_t i = 0; i < count; ++i) {
     const std::size_t row = words.index(rows, "a row"), column = words.index(columns, "a column");
-    matrix.set(row, column);
+    entries.add(row, column);
   }
   words.expect_end();
-  return matrix;
+  return entries;
 }
 
-BitRows read_scp(Words words) {
+Entries read_scp(Words& words, std::size_t most_entries) {
   const auto covered = words.number<std::size_t>("a number of rows"),
              chosen = words.number<std::size_t>("a number of columns");
-  BitRows matrix = matrix_of(words, chosen, covered);
+  Entries entries = entries_of(words, chosen, covered, most_entries);
   for (std::size_t i = 0; i < chosen; ++i) words.number<double>("a cost");
   for (std::size_t i = 0; i < covered; ++i) {
     const auto count = words.number<std::size_t>("a number of columns");
-    for (std::size_t k = 0; k < count; ++k) matrix.set(words.index(chosen, "a column"), i);
+    for (std::size_t k = 0; k < count; ++k) entries.add(words.index(chosen, "a column"), i);
   }
   words.expect_end();
-  return matrix;
+  return entries;
 }
 
-BitRows read_rail(Words words) {
+Entries read_rail(Words& words, std::size_t most_entries) {
   const auto covered = words.number<std::size_t>("a number of rows"),
              chosen = words.number<std::size_t>("a number of columns");
-  BitRows matrix = matrix_of(words, chosen, covered);
+  Entries entries = entries_of(words, chosen, covered, most_entries);
   for (std::size_t i = 0; i < chosen; ++i) {
     words.number<double>("a cost");
     const auto count = words.number<std::size_t>("a number of rows");
-    for (std::size_t k = 0; k < count; ++k) matrix.set(i, words.index(covered, "a row"));
+    for (std::size_t k = 0; k < count; ++k) entries.add(i, words.index(covered, "a row"));
   }
   words.expect_end();
-  return matrix;
+  return entries;
 }
 
-BitRows read_hitting_set(Words words) {
+Entries read_hitting_set(Words& words, std::size_t most_entries) {
   words.skip_lines('c');
   if (words.word() != "p" || words.word() != "hs") {
     words.fail("no header", "\"p hs ELEMENTS SETS\"");
   }
   const auto chosen = words.number<std::size_t>("a number of elements"),
              covered = words.number<std::size_t>("a number of sets");
-  BitRows matrix = matrix_of(words, chosen, covered);
+  Entries entries = entries_of(words, chosen, covered, most_entries);
   words.line();
   std::size_t set = 0;
   for (words.skip_lines('c'); !words.at_end(); words.skip_lines('c')) {
     if (set == covered) words.expect_end();
     do {
-      matrix.set(words.index(chosen, "an element"), set);
+      entries.add(words.index(chosen, "an element"), set);
     } while (!words.at_end_of_line());
     ++set;
   }
@@ -182,24 +196,36 @@ BitRows read_hitting_set(Words words) {
         "the file ends after " + std::to_string(set) + " of " + std::to_string(covered) + " sets",
         "is it whole?");
   }
-  return matrix;
+  return entries;
+}
+
+Entries read_entries(Words& words, CoverFormat format, std::size_t most_entries) {
+  switch (format) {
+    case CoverFormat::kMatrixMarket:
+      return read_matrix_market(words, most_entries);
+    case CoverFormat::kScp:
+      return read_scp(words, most_entries);
+    case CoverFormat::kRail:
+      return read_rail(words, most_entries);
+    case CoverFormat::kHittingSet:
+      break;
+  }
+  return read_hitting_set(words, most_entries);
 }
 
 }  // namespace
 
 BitRows read_cover_file(const std::filesystem::path& file, CoverFormat format) {
-  std::string text = text_of(file);
-  switch (format) {
-    case CoverFormat::kMatrixMarket:
-      return read_matrix_market({file, std::move(text)});
-    case CoverFormat::kScp:
-      return read_scp({file, std::move(text)});
-    case CoverFormat::kRail:
-      return read_rail({file, std::move(text)});
-    case CoverFormat::kHittingSet:
-      break;
-  }
-  return read_hitting_set({file, std::move(text)});
+  return parse_cover(text_of(file), file, format);
+}
+
+BitRows parse_cover(std::string content, const std::filesystem::path& file, CoverFormat format,
+                    std::size_t most_entries) {
+  Words words(file, std::move(content));
+  const Entries entries = read_entries(words, format, most_entries);
+  BitRows matrix(entries.rows, entries.columns);
+  for (const auto& [row, column] : entries.set) matrix.set(row, column);
+  return matrix;
 }
 
 CoverFormat detect_cover_format(const std::filesystem::path& file) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,11 @@ enum class CoverFormat {
 /// Errors: InputError with file and line for anything malformed: numbers that are none or out of
 /// range, too few or too many of them, dimensions too large.
 BitRows read_cover_file(const std::filesystem::path& file, CoverFormat format);
+
+/// The same from the file's content; `file` names it in messages. `most_entries` bounds #rows x
+/// #columns.
+BitRows parse_cover(std::string content, const std::filesystem::path& file, CoverFormat format,
+                    std::size_t most_entries = std::size_t{1} << 36);
 
 /// By the first characters of the file. Errors: InputError if they do not tell: OR-Library's two
 /// kinds look alike.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "report/run_record.h"
 #include "report/sha256.h"
@@ -17,6 +19,13 @@ struct SceneRecord {
   SceneOptions options;
 };
 
+/// Of six numbers, the least corner first; none for null.
+std::optional<Box> box_of(const Json& numbers) {
+  if (numbers.is_null()) return std::nullopt;
+  const auto n = numbers.get<std::array<double, 6>>();
+  return Box(Point(n[0], n[1], n[2]), Point(n[3], n[4], n[5]));
+}
+
 SceneRecord scene_record(const std::filesystem::path& folder) {
   const Json record = read_complete_run(folder);
   try {
@@ -27,6 +36,7 @@ SceneRecord scene_record(const std::filesystem::path& folder) {
     }
     scene.options.one_sided = options.at("one_sided");
     scene.options.merge_coplanar = options.at("merge_coplanar");
+    scene.options.crop = box_of(options.value("crop", Json()));
     scene.options.heal = options.value("heal", 0.0);
     scene.options.targets = options.value("targets", std::vector<std::string>());
     return scene;

@@ -35,7 +35,8 @@ Json repairs_of(const Scene& scene) {
           {"largest_move", repairs.largest_move},
           {"healed_vertices", repairs.healing.moved},
           {"healed_edges", repairs.healing.inserted},
-          {"largest_healing_move", repairs.healing.largest_move}};
+          {"largest_healing_move", repairs.healing.largest_move},
+          {"cropped_faces", repairs.cropped_faces}};
 }
 
 Json make_run_record(const std::filesystem::path& scene_file,

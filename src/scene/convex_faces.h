@@ -30,7 +30,7 @@ double largest_coordinate(const PolygonSoup& soup);
 /// more: the vertices of a quadtree of 10 levels, two further bits a level, would not be exact.
 ConvexFaces make_convex(const PolygonSoup& soup, const Lattice& lattice, bool one_sided);
 
-/// The faces of an .obj, .off, .ply or .stl file as convex polygons on a given lattice, treated
+/// The faces of a mesh file (scene/polygon_soup.h) as convex polygons on a given lattice, treated
 /// like those of a two-sided scene.
 ///
 /// Errors: InputError as `read_polygon_soup` and `make_convex`, and for a file without a face that

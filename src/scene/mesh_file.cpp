@@ -1,8 +1,6 @@
 #include "scene/mesh_file.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,16 +11,10 @@
 
 #include "scene/error.h"
 #include "scene/open_mesh.h"
+#include "scene/soup_text.h"
 
 namespace viewcover {
 namespace {
-
-std::string lower_suffix(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
 
 OpenMeshPolygons coloured_mesh(std::span<const ConvexPolygon> polygons,
                                std::span<const Colour> colours) {

@@ -51,11 +51,6 @@ std::string joined_names(const std::vector<std::string_view>& words) {
   return names;
 }
 
-std::string group_name(const std::string& object, const std::string& group) {
-  if (object.empty() || object == group) return group;
-  return group.empty() ? object : object + "/" + group;
-}
-
 class ObjChecker {
  public:
   ObjChecker(std::string_view text, const std::string& file) : statements_(text), file_(file) {}
@@ -115,7 +110,7 @@ class ObjChecker {
     ++soup_.faces;
     soup_.face_lines.push_back(statements_.line());
     if (!is_named_) {
-      group_id_ = soup_.group(group_name(object_, group_));
+      group_id_ = soup_.groups.id(group_name(object_, group_));
       is_named_ = true;
     }
     soup_.face_groups.push_back(group_id_);

@@ -7,7 +7,7 @@
 #include <CGAL/IO/STL.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -15,6 +15,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "scene/asset_soup.h"
 #include "scene/error.h"
 #include "scene/soup_check.h"
 #include "scene/soup_text.h"
@@ -50,15 +51,25 @@ const FileFormat kFormats[] = {
      }},
 };
 
-const FileFormat& format_of(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const FileFormat& format : kFormats) {
-    if (suffix == format.suffix) return format;
-  }
-  throw InputError(file.string(), "the file type " + in_quotes(suffix) + " is not known",
-                   ".obj, .off, .ply and .stl are read");
+/// Those that assimp reads.
+constexpr std::array<std::string_view, 3> kAssets = {".gltf", ".glb", ".dae"};
+
+bool is_asset(std::string_view suffix) {
+  return std::find(kAssets.begin(), kAssets.end(), suffix) != kAssets.end();
+}
+
+/// Null for those that CGAL does not read.
+const FileFormat* format_of(std::string_view suffix) {
+  const auto has_suffix = [&](const FileFormat& format) { return format.suffix == suffix; };
+  const auto found = std::find_if(std::begin(kFormats), std::end(kFormats), has_suffix);
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
+void refuse_unknown_type(const std::filesystem::path& file) {
+  if (is_mesh_file(file)) return;
+  throw InputError(file.string(),
+                   "the file type " + in_quotes(lower_suffix(file)) + " is not known",
+                   "give " + mesh_file_types());
 }
 
 std::string content_of(const std::filesystem::path& file) {
@@ -108,7 +119,7 @@ void take_faces(const CgalFaces& faces, PolygonSoup& soup) {
 }  // namespace
 
 std::string PolygonSoup::place_of_face(std::size_t face) const {
-  if (face_lines.empty()) return InputError::at_face(file, face + 1);
+  if (face_lines.empty()) return InputError::at_face(file, number_in_file(face) + 1);
   return InputError::at_line(file, face_lines[face]);
 }
 
@@ -117,11 +128,37 @@ std::string PolygonSoup::place_of_vertex(std::size_t vertex) const {
   return InputError::at_line(file, vertex_lines[vertex]);
 }
 
+std::string mesh_file_types() {
+  std::vector<std::string_view> suffixes;
+  for (const FileFormat& format : kFormats) suffixes.push_back(format.suffix);
+  suffixes.insert(suffixes.end(), kAssets.begin(), kAssets.end());
+  std::string list;
+  for (std::size_t i = 0; i < suffixes.size(); ++i) {
+    if (i > 0) list += i + 1 == suffixes.size() ? " or " : ", ";
+    list += suffixes[i];
+  }
+  return list;
+}
+
+bool is_mesh_file(const std::filesystem::path& file) {
+  const std::string suffix = lower_suffix(file);
+  return format_of(suffix) != nullptr || is_asset(suffix);
+}
+
 PolygonSoup read_polygon_soup(const std::filesystem::path& file) {
-  const FileFormat& format = format_of(file);
+  refuse_unknown_type(file);  // before it is read
+  return parse_polygon_soup(content_of(file), file);
+}
+
+PolygonSoup parse_polygon_soup(std::string_view content, const std::filesystem::path& file) {
+  refuse_unknown_type(file);
+  const std::string suffix = lower_suffix(file);
+  if (suffix != ".stl") refuse_utf16(content, file.string());  // whose header may be anything
+  if (is_asset(suffix)) return parse_asset(content, file);
+  const FileFormat& format = *format_of(suffix);
   PolygonSoup soup;
   soup.file = file.string();
-  CheckedSoup checked = format.check(content_of(file), soup.file);
+  CheckedSoup checked = format.check(content, soup.file);
   if (checked.faces == 0) throw InputError(soup.file, "the file has no face", "");
 
   std::vector<CgalPoint> points;
@@ -139,7 +176,7 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& file) {
   soup.vertex_lines = std::move(checked.vertex_lines);
   soup.face_lines = std::move(checked.face_lines);
   soup.face_groups = std::move(checked.face_groups);
-  soup.groups = std::move(checked.groups);
+  soup.groups = checked.groups.names();
   if (soup.face_groups.empty()) {
     soup.face_groups.assign(faces.size(), GroupId());
     soup.groups = {""};

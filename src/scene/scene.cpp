@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/convex_faces.h"
+#include "scene/crop.h"
 #include "scene/error.h"
 #include "scene/polygon_soup.h"
 #include "scene/surface_mesh.h"
@@ -90,6 +91,7 @@ std::string counted(std::size_t count, const char* noun, const char* participle)
 
 std::string Repairs::summary() const {
   const std::pair<std::size_t, std::string> items[] = {
+      {cropped_faces, counted(cropped_faces, "face", "left out by --crop")},
       {degenerate_faces, counted(degenerate_faces, "degenerate face", "dropped")},
       {duplicate_faces, counted(duplicate_faces, "duplicate face", "dropped")},
       {split_faces, counted(split_faces, "face", "split into convex parts")},
@@ -120,8 +122,10 @@ Scene load_scene(const std::filesystem::path& file, const SceneOptions& options)
 Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
   Scene scene;
   scene.name = std::filesystem::path(soup.file).stem().string();
-  scene.lattice = choose_lattice(soup, options.lattice_exponent);
   scene.faces = soup.faces.size();
+  if (options.crop) scene.repairs.cropped_faces = crop(soup, *options.crop);
+  scene.lattice = choose_lattice(soup, options.lattice_exponent);
+  scene.warning = far_out_warning(soup, find_far_out(soup), scene.lattice.step());
   Healing healing;
   double rounding = 0;
   if (options.heal > 0) {
@@ -134,6 +138,7 @@ Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
     throw InputError(soup.file, fmt::format("none of the {} faces has area", soup.faces.size()),
                      "");
   }
+  faces.repairs.cropped_faces = scene.repairs.cropped_faces;
   scene.repairs = faces.repairs;
   scene.repairs.largest_move = std::max(scene.repairs.largest_move, rounding);
   scene.repairs.healing = healing;
@@ -141,10 +146,10 @@ Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
   scene.groups = std::move(soup.groups);
   scene.surfaces.reserve(faces.polygons.size());
   for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
-    const std::uint32_t source = faces.sources[i];
-    const GroupId group = soup.face_groups[source];
-    scene.surfaces.push_back(
-        {std::move(faces.polygons[i]), group, source, is_target[group.value] != 0});
+    const GroupId group = soup.face_groups[faces.sources[i]];
+    scene.surfaces.push_back({std::move(faces.polygons[i]), group,
+                              static_cast<std::uint32_t>(soup.number_in_file(faces.sources[i])),
+                              is_target[group.value] != 0});
   }
   if (options.merge_coplanar) scene.repairs.merged_surfaces = merge_coplanar(scene.surfaces);
   if (scene.surfaces.size() > ElementAddress::kOwnerLimit) {

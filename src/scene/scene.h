@@ -33,10 +33,11 @@ struct Repairs {
   std::size_t merged_surfaces = 0;     ///< surfaces gone into a neighbour by --merge-coplanar
   double largest_move = 0;             ///< farthest a vertex moved to the lattice, scene units
   Healing healing;                     ///< by --heal, after that
+  std::size_t cropped_faces = 0;       ///< left out by --crop, before all else
 
   bool any() const {
-    return degenerate_faces + duplicate_faces + split_faces + triangulated_faces + healing.moved +
-               healing.inserted >
+    return cropped_faces + degenerate_faces + duplicate_faces + split_faces + triangulated_faces +
+               healing.moved + healing.inserted >
            0;
   }
   /// One line for people, such as "2 degenerate faces dropped, 80 faces triangulated".
@@ -48,6 +49,8 @@ struct SceneOptions {
   bool one_sided = false;               ///< faces that differ by orientation are no duplicates
   bool merge_coplanar = false;          ///< join exactly coplanar neighbours of one group
   double heal = 0;                      ///< close cracks up to this width (scene/cracks.h)
+  /// Faces wholly outside are left out, before the lattice is chosen (scene/crop.h).
+  std::optional<Box> crop = {};
   /// Groups whose surfaces are to be seen, by their names or the names of their OBJ objects; all
   /// where there are none.
   std::vector<std::string> targets = {};
@@ -62,15 +65,16 @@ struct Scene {
   Box bounds;
   std::size_t faces = 0;  ///< faces in the file
   Repairs repairs;
+  /// One line on faces so far out that they make the lattice coarse (scene/crop.h); empty if none.
+  std::string warning;
 
   const Surface& operator[](SurfaceId id) const { return surfaces[id.value]; }
   /// Total area of the surfaces, one side, scene units squared.
   double area() const;
 };
 
-/// Reads .obj, .off, .ply or .stl (by suffix, any case) in double precision and makes every face
-/// convex and exactly planar on the lattice: such faces stay whole, others are split or
-/// triangulated with their area preserved.
+/// Reads a mesh file (scene/polygon_soup.h) and makes every face convex and exactly planar on the
+/// lattice: such faces stay whole, others are split or triangulated with their area preserved.
 ///
 /// Errors: InputError for a file that is missing, empty, malformed, has an index out of range, a
 /// coordinate that is not finite, a face with fewer than 3 corners, a face that crosses itself,

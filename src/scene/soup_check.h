@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/group_names.h"
 #include "scene/types.h"
 
 namespace viewcover {
@@ -21,12 +22,9 @@ struct CheckedSoup {
   std::size_t vertices = 0;  ///< to come back from CGAL; not set for STL, whose vertices CGAL welds
   std::size_t faces = 0;     ///< to come back from CGAL
   std::vector<GroupId> face_groups;       ///< one a face, or empty: all in one group
-  std::vector<std::string> groups;        ///< names, in the order of their first face
+  GroupNames groups;                      ///< in the order of their first face
   std::vector<std::size_t> vertex_lines;  ///< 1-based; empty where there are none
   std::vector<std::size_t> face_lines;    ///< 1-based; empty where there are none
-
-  /// The group of this name, made if there is none yet. Cost: linear in the groups.
-  GroupId group(std::string_view name);
 };
 
 /// The checks, one a format. `file` is the file's name for messages, `text` its content.

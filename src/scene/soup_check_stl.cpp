@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "scene/error.h"
@@ -66,12 +67,14 @@ class StlTextChecker {
 
   void read_solid() {
     const std::string name(words_.rest_of_line());
+    std::optional<GroupId> group;
     for (auto word = words_.next(); word != "endsolid"; word = words_.next()) {
       if (word != "facet") fail(word, "'facet' or 'endsolid'");
       soup_.face_lines.push_back(words_.line());
       words_.rest_of_line();  // the normal, which follows from the corners
       read_facet();
-      soup_.face_groups.push_back(soup_.group(name));
+      if (!group) group = soup_.groups.id(name);
+      soup_.face_groups.push_back(*group);
       ++soup_.faces;
     }
     words_.rest_of_line();

@@ -1,9 +1,13 @@
 #include "scene/soup_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+
+#include "scene/error.h"
 
 namespace viewcover {
 namespace {
@@ -92,6 +96,18 @@ std::optional<long long> whole_number(std::string_view word) {
     return word[0] == '-' ? Limits::min() : Limits::max();
   }
   return value;
+}
+
+void refuse_utf16(std::string_view text, const std::string& file) {
+  if (!text.starts_with("\xFF\xFE") && !text.starts_with("\xFE\xFF")) return;
+  throw InputError(file, "is a text in UTF-16", "save it in UTF-8");
+}
+
+std::string lower_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
 }
 
 std::string in_quotes(std::string_view word) {

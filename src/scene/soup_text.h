@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,6 +57,12 @@ std::vector<std::string_view> words_of(std::string_view line);
 std::optional<double> finite_number(std::string_view word);
 /// The word as a whole number, if the whole word is one; saturated at the limits of the type.
 std::optional<long long> whole_number(std::string_view word);
+
+/// Refuses a text that starts with the byte order mark of UTF-16. Errors: InputError.
+void refuse_utf16(std::string_view text, const std::string& file);
+
+/// What a file's name ends with, such as ".obj", in small letters.
+std::string lower_suffix(const std::filesystem::path& file);
 
 /// The word in quotes, on one line and cut to a readable length, for messages.
 std::string in_quotes(std::string_view word);

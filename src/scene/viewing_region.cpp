@@ -15,6 +15,7 @@
 
 #include "scene/convex_faces.h"
 #include "scene/error.h"
+#include "scene/json_text.h"
 #include "scene/predicates.h"
 
 namespace viewcover {
@@ -38,7 +39,8 @@ std::string read_text(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    throw InputError(name, "no such file", "give a region as .json, .obj, .off, .ply or .stl");
+    throw InputError(name, "no such file",
+                     fmt::format("give a region as .json, {}", mesh_file_types()));
   }
   if (std::filesystem::is_directory(file, ignored)) {
     throw InputError(name, "is a folder", "give a region file");
@@ -50,33 +52,6 @@ std::string read_text(const std::filesystem::path& file) {
     throw InputError(name, "is empty", R"(write {"polygons": [[[x, y, z], ...], ...]})");
   }
   return text;
-}
-
-std::size_t line_at(const std::string& text, std::size_t position) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
-  return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
-}
-
-json parse(const std::string& file, const std::string& text) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    // The byte is the 1-based number of the last one read; what() is "[id] parse error at line
-    // L, column C: reason".
-    const std::string_view what = error.what();
-    const std::size_t colon = what.find(": ");
-    throw InputError(InputError::at_line(file, line_at(text, error.byte - (error.byte > 0))),
-                     colon == std::string_view::npos ? what : what.substr(colon + 2),
-                     "write valid JSON");
-  } catch (const json::out_of_range& error) {
-    // "[id] number overflow parsing 'TOKEN'", the only such error of the parser.
-    const std::string_view what = error.what();
-    const std::size_t open = what.find('\''), close = what.rfind('\'');
-    const std::string token(what.substr(open + 1, close - open - 1));
-    throw InputError(InputError::at_line(file, line_at(text, text.find(token))),
-                     fmt::format("the number {} is not finite as a double", token),
-                     "use smaller numbers");
-  }
 }
 
 void check_keys(const json& object, const std::string& place,
@@ -277,49 +252,6 @@ Box read_box(const json& value, const std::string& place, const Lattice& lattice
   return box;
 }
 
-struct ReadRegion {
-  std::vector<ConvexPolygon> polygons;
-  std::vector<Box> boxes;
-};
-
-ReadRegion read_json_region(const std::filesystem::path& file, const Lattice& lattice) {
-  constexpr const char* kAdvice = R"(use "polygons" or "boxes")";
-  const std::string name = file.string();
-  const json root = parse(name, read_text(file));
-  if (!root.is_object()) {
-    throw InputError(name, "is not a JSON object", R"(write {"polygons": [...], "boxes": [...]})");
-  }
-  check_keys(root, name, {"polygons", "boxes"}, kAdvice);
-  for (const auto& [key, value] : root.items()) {
-    if (!value.is_array()) {
-      throw InputError(name, fmt::format("\"{}\" is not a list", key), "write [...]");
-    }
-  }
-  const json polygons = root.value("polygons", json::array());
-  const json boxes = root.value("boxes", json::array());
-  if (polygons.empty() && boxes.empty()) {
-    throw InputError(name, "has no polygon and no box", kAdvice);
-  }
-
-  ReadRegion region;
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    for (ConvexPolygon& part :
-         read_polygon(polygons[i], fmt::format("{}: polygon {}", name, i + 1), lattice)) {
-      region.polygons.push_back(std::move(part));
-    }
-  }
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    region.boxes.push_back(read_box(boxes[i], fmt::format("{}: box {}", name, i + 1), lattice));
-  }
-  return region;
-}
-
-bool is_mesh_file(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return suffix == ".obj" || suffix == ".off" || suffix == ".ply" || suffix == ".stl";
-}
-
 int region_level(std::size_t regions_per_part) {
   std::size_t power = 1;
   for (int level = 0; level <= kMaxRegionLevel; ++level, power *= 4) {
@@ -335,6 +267,38 @@ int region_level(std::size_t regions_per_part) {
 }
 
 }  // namespace
+
+RegionFile parse_json_region(const std::string& content, const std::string& file,
+                             const Lattice& lattice) {
+  constexpr const char* kAdvice = R"(use "polygons" or "boxes")";
+  const json root = parse_json(content, file);
+  if (!root.is_object()) {
+    throw InputError(file, "is not a JSON object", R"(write {"polygons": [...], "boxes": [...]})");
+  }
+  check_keys(root, file, {"polygons", "boxes"}, kAdvice);
+  for (const auto& [key, value] : root.items()) {
+    if (!value.is_array()) {
+      throw InputError(file, fmt::format("\"{}\" is not a list", key), "write [...]");
+    }
+  }
+  const json polygons = root.value("polygons", json::array());
+  const json boxes = root.value("boxes", json::array());
+  if (polygons.empty() && boxes.empty()) {
+    throw InputError(file, "has no polygon and no box", kAdvice);
+  }
+
+  RegionFile region;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    for (ConvexPolygon& part :
+         read_polygon(polygons[i], fmt::format("{}: polygon {}", file, i + 1), lattice)) {
+      region.polygons.push_back(std::move(part));
+    }
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    region.boxes.push_back(read_box(boxes[i], fmt::format("{}: box {}", file, i + 1), lattice));
+  }
+  return region;
+}
 
 ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
                                   int level) {
@@ -365,11 +329,11 @@ ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vect
 ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
                                   std::size_t regions_per_part) {
   const int level = region_level(regions_per_part);
-  ReadRegion read;
+  RegionFile read;
   if (is_mesh_file(file)) {
     read.polygons = load_convex_polygons(file, lattice);
   } else {
-    read = read_json_region(file, lattice);
+    read = parse_json_region(read_text(file), file.string(), lattice);
   }
   // Addresses name polygons, boxes and the faces of cells.
   constexpr std::size_t kLimit = RegionAddress::kOwnerLimit, kFaces = 6;

@@ -79,8 +79,8 @@ ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vect
                                   int level);
 
 /// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons, and boxes as
-/// `{"min": [x, y, z], "max": [x, y, z]}`), or the faces of an .obj, .off, .ply or .stl file, made
-/// convex like those of a scene. Coordinates go to `lattice`.
+/// `{"min": [x, y, z], "max": [x, y, z]}`), or the faces of a mesh file
+/// (scene/polygon_soup.h), made convex like those of a scene. Coordinates go to `lattice`.
 ///
 /// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10): regions a polygon or box. A JSON
 /// polygon that is planar and convex as far as four significant digits tell, but not on the
@@ -90,6 +90,16 @@ ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vect
 /// power of 4.
 ViewingRegion load_viewing_region(const std::filesystem::path& file, const Lattice& lattice,
                                   std::size_t regions_per_part);
+
+/// What a region file has: convex polygons and boxes with a volume, on the lattice.
+struct RegionFile {
+  std::vector<ConvexPolygon> polygons;
+  std::vector<Box> boxes;
+};
+
+/// The content of a JSON file; `file` names it in messages. Errors as above.
+RegionFile parse_json_region(const std::string& content, const std::string& file,
+                             const Lattice& lattice);
 
 struct RegionCheck {
   double clearance = 0;        ///< least distance of a camera from any surface, scene units

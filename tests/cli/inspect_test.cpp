@@ -7,6 +7,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A box 4 x 4 x 3 whose ceiling is two rectangles; where they meet the wall at y = 0 the vertex is
 /// 2^-9 too low, and nobody joined it to the wall.
@@ -85,10 +86,58 @@ TEST_F(Inspect, SolveHealsTheCrackAndTheRunIsVerified) {
   EXPECT_EQ(viewcover_run({"audit", bundle, "--quiet"}).exit_code, 0);
 }
 
+TEST_F(Inspect, CropLeavesOutTheBirdAndTheRunIsVerified) {
+  const std::string scene = folder_
+                                .write("far.obj", std::string(kCrackedRoom) +
+                                                      "g bird\nv 300000 0 0\nv 300001 0 0\n"
+                                                      "v 300000 1 0\nf 11 12 13\n")
+                                .string(),
+                    region = folder_.write("region.json", kRegion).string(),
+                    bundle = (folder_.path() / "bundle").string();
+  const std::string warning = "face 8 ('bird') reaches 300001 from the origin";
+  EXPECT_THAT(viewcover_run({"inspect", scene}).error, HasSubstr(warning));
+  EXPECT_EQ(viewcover_run({"inspect", scene, "--quiet"}).error, "");
+  EXPECT_EQ(inspected({scene}).at("size").at("lattice_step"), 0x1p-4);
+  const Json cropped = inspected({scene, "--crop", "-1,-1,-1,5,5,5"});
+  EXPECT_EQ(cropped.at("size").at("lattice_step"), 0x1p-20);
+  EXPECT_EQ(cropped.at("repairs").at("cropped_faces"), 1);
+  EXPECT_EQ(cropped.at("far_out").at("faces"), 0);
+
+  const auto solve = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"solve", scene, "--region", region, "-o", bundle, "--regions", "4"});
+    return viewcover_run(more);
+  };
+  EXPECT_THAT(solve({}).error, HasSubstr(warning));
+  const Outcome solved = solve({"--crop", "5,5,5,-1,-1,-1"});
+  ASSERT_EQ(solved.exit_code, 0) << solved.error;
+  EXPECT_THAT(solved.error, HasSubstr("1 face left out by --crop"));
+  EXPECT_THAT(solved.error, Not(HasSubstr(warning)));
+  EXPECT_THAT(run_json(bundle).at("options").at("crop").get<std::vector<double>>(),
+              ElementsAre(-1, -1, -1, 5, 5, 5));
+  // The scene is read again, and cropped again.
+  const Outcome verified = viewcover_run({"verify", bundle});
+  EXPECT_EQ(verified.exit_code, 0) << verified.error;
+  EXPECT_EQ(viewcover_run({"audit", bundle, "--quiet"}).exit_code, 0);
+
+  const auto find_region = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"region", scene, "--height", "1.5", "-o",
+                               (folder_.path() / "found.json").string()});
+    return viewcover_run(more);
+  };
+  EXPECT_THAT(find_region({}).error, HasSubstr(warning));
+  const Outcome found = find_region({"--crop", "-1,-1,-1,5,5,5"});
+  EXPECT_EQ(found.exit_code, 0);
+  EXPECT_NEAR(Json::parse(last_line(found.out)).at("area"), 16.0, 0.01);
+}
+
 TEST_F(Inspect, BadInputIsOneLine) {
   expect_refused(viewcover_run({"inspect"}), "SCENE: is missing");
   expect_refused(viewcover_run({"inspect", (folder_.path() / "none.obj").string()}), "none.obj");
   expect_refused(viewcover_run({"inspect", room(), "--width", "0"}), "--width");
+  for (const char* box :
+       {"1", "1,2,3", "0,0,0,1,1,1,1", "a,b,c,d,e,f", "0,0,0,1,1,nan", "9,9,9,10,10,10"}) {
+    expect_refused(viewcover_run({"inspect", room(), "--crop", box}), "--crop: ");
+  }
   const std::string region = folder_.write("region.json", kRegion).string();
   expect_refused(viewcover_run({"solve", room(), "--region", region, "-o",
                                 (folder_.path() / "b").string(), "--heal", "-1"}),

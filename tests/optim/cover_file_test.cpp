@@ -90,13 +90,13 @@ TEST_F(CoverFile, RefusesWhatIsWrongInOneLine) {
   EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n3 1\n"), kMtx),
               HasSubstr("problem:4: 3 is not a row; give a number from 1 to 2"));
   EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n1 x\n"), kMtx),
-              HasSubstr("problem:4: \"x\" is not a column"));
+              HasSubstr("problem:4: 'x' is not a column"));
   EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n"), kMtx), HasSubstr("the file ends before a row"));
   EXPECT_THAT(refusal(mtx("2 3 1\n1 1\n1 2\n"), kMtx),
               HasSubstr("problem:4: there is more than the header announces"));
   EXPECT_THAT(refusal(mtx("100000000000 3 1\n1 1\n"), kMtx), HasSubstr("too large"));
   EXPECT_THAT(refusal(mtx("1000000000 1000000000 1\n1 1\n"), kMtx), HasSubstr("too large"));
-  EXPECT_THAT(refusal(mtx("-1 3 1\n1 1\n"), kMtx), HasSubstr("problem:2: \"-1\" is not a number"));
+  EXPECT_THAT(refusal(mtx("-1 3 1\n1 1\n"), kMtx), HasSubstr("problem:2: '-1' is not a number"));
   EXPECT_THAT(refusal("3 2\n7 5\n9\n1\n", CoverFormat::kScp), HasSubstr("the file ends before"));
   EXPECT_THAT(refusal("3 2\n7 5\n1\n0\n", CoverFormat::kScp),
               HasSubstr("problem:4: 0 is not a column"));

@@ -1,5 +1,6 @@
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "scene/error.h"
 #include "scene/generate/gallery.h"
@@ -22,12 +23,21 @@ void end_loop(const std::string& file, FloorPlan& plan) {
 
 FloorPlan read_floor_plan(const std::filesystem::path& path) {
   const std::string file = path.string();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(file, "is a folder", "give a file with a corner `x y` a line");
+  }
   std::ifstream stream(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
   if (!stream) throw InputError(file, "cannot be read", "give a file with a corner `x y` a line");
+  return parse_floor_plan(text, file);
+}
+
+FloorPlan parse_floor_plan(std::string_view content, const std::string& file) {
+  refuse_utf16(content, file);
   FloorPlan plan;
   bool in_loop = false;
-  LineReader lines(text);
+  LineReader lines(content);
   while (const auto line = lines.next()) {
     const std::vector<std::string_view> words = words_of(*line);
     if (words.empty() && !line->empty() && line->find('#') != line->npos) continue;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/generate/generated_scene.h"
@@ -22,6 +23,8 @@ using FloorPlan = std::vector<std::vector<PlanCorner>>;
 /// Errors: InputError for a file that cannot be read, anything but two finite numbers on a line,
 /// and a loop of fewer than 3 corners.
 FloorPlan read_floor_plan(const std::filesystem::path& file);
+/// The same from the file's content; `file` names it in messages.
+FloorPlan parse_floor_plan(std::string_view content, const std::string& file);
 
 /// The art gallery of a floor plan: walls of the given height, a floor and a ceiling in convex
 /// parts (groups `wall`, `floor` and `ceiling`, fronts inward); the viewing region is the plan at
