@@ -51,7 +51,7 @@ def option_words(options):
 def key_of(*parts, **options):
     values = [f"{name.replace('_', '')}{'' if value is True else text(value)}" for name, value in sorted(options.items())
               if value is not None and value is not False]
-    return "-".join([*map(text, parts), *values]).replace("/", "_")
+    return "-".join([*map(text, parts), *values]).replace("/", "_").replace(", ", "-").replace(" ", "-").replace(",", "_")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -83,6 +83,26 @@ def gallery(name, corners, height=2):
 def file_scene(folder, name):
     """A scene of others, SCENE.obj with SCENE.region.json beside it."""
     return SceneFiles(name, f"{folder}/{name}.obj", f"{folder}/{name}.region.json")
+
+
+def rooms(count, detail):
+    """Living rooms in a row, doors open between them."""
+    job = Job(key_of("scene-rooms", count, detail), "scene", ("generate", "rooms", "--rooms", text(count), "--detail", detail, "-o", "{folder}/scene.obj"))
+    return SceneFiles(f"{count} rooms, {detail}", f"{{{job.key}}}/scene.obj", f"{{{job.key}}}/scene.region.json", job)
+
+
+def found_region(scene, **options):
+    """The scene with the free space at one height as region."""
+    job = Job(key_of("region", scene.name, **options), "region",
+              ("region", scene.obj, *option_words(options), "-o", "{folder}/scene.region.json", "--quiet"), scene.needs, 1,
+              (("scene", scene.name), *options.items()))
+    return SceneFiles(f"{scene.name}, found region", scene.obj, f"{{{job.key}}}/scene.region.json", job)
+
+
+def inspect(scene, **options):
+    """Size, repairs, pieces and cracks of a scene."""
+    return Job(key_of("inspect", scene.name, **options), "inspect", ("inspect", scene.obj, *option_words(options), "--quiet"), scene.needs, 1,
+               (("scene", scene.name), *options.items()))
 
 
 def solve(scene, *, backend="exact", regions=64, seed=1, threads=1, **options):

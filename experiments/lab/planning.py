@@ -13,7 +13,8 @@ import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 EXPERIMENTS = ROOT / "experiments"
-QUESTIONS = ["paper-tables", "rays-vs-exact", "subdivision", "optimizers", "bracket", "element-criterion", "real-scenes", "peers"]
+QUESTIONS = ["paper-tables", "rays-vs-exact", "subdivision", "optimizers", "bracket", "element-criterion", "real-scenes", "found-regions", "scaling",
+             "peers"]
 # What `snakemake --config NAME=VALUE` may change. Folders are relative to the project's root.
 DEFAULTS = {"variant": "full", "questions": [q for q in QUESTIONS if (EXPERIMENTS / q / "plan.py").exists()], "program": "build/release/viewcover", "peers": "build/release/experiments/viewcover_peers",
             "scenes": "../shared/scenes", "results": "experiments/results", "job_seconds": 3600}

@@ -1,0 +1,17 @@
+"""A region was found, its optimum proved, and closing cracks shows no more than there was."""
+from lab import planning
+
+plan = planning.load("found-regions", "plan")
+
+
+def check(rows, config, require):
+    for (name, healed), run in plan.runs(config, []).items():
+        row = rows[run.key]
+        if row["failure"]:
+            continue
+        require(row["result"]["proved"], f"{run.key}: the optimum is not proved")
+        region = rows[run.needs[0].key]["result"]
+        require(region["area"] > 0 and region["parts"] == row["result"]["regions"], f"{run.key}: not the regions that were found")
+        repairs = row["bundle"]["record"]["scene"]["repairs"]
+        require(healed or repairs["healed_vertices"] + repairs["healed_edges"] == 0, f"{run.key}: healed without being asked")
+        require(repairs["largest_healing_move"] <= config["scenes"][name]["heal"], f"{run.key}: moved farther than asked")
