@@ -32,6 +32,9 @@ constexpr int kCoarser = 3, kMostTries = 4;
 /// Obstacles grow by so many steps of that lattice besides: rounding moves a corner by less than
 /// one.
 constexpr double kMarginSteps = 2;
+/// Boxes are rounded to so many steps a cell: coordinates of few bits make exact decisions about
+/// them twice as cheap as those of the lattice.
+constexpr double kStepsPerCell = 64;
 /// Parts smaller than this share of the whole are left out.
 constexpr double kSliver = 1e-6;
 
@@ -172,10 +175,14 @@ class FreeSpace {
   std::vector<Box> boxes_in(const Area& area, const std::array<std::size_t, 3>& cells) const {
     const CGAL::Bbox_2 extent = area.outer_boundary().bbox();
     const int u = frame_.u(), v = frame_.v();
+    const Box whole(frame_.at(extent.xmin(), extent.ymin(), slab_.low),
+                    frame_.at(extent.xmax(), extent.ymax(), slab_.high));
+    const double step = grid_step(whole, cells);
     std::array<std::vector<double>, 3> lines;
-    lines[index(u)] = grid_lines(extent.xmin(), extent.xmax(), cells[index(u)]);
-    lines[index(v)] = grid_lines(extent.ymin(), extent.ymax(), cells[index(v)]);
-    lines[index(slab_.up_axis)] = grid_lines(slab_.low, slab_.high, cells[index(slab_.up_axis)]);
+    for (int axis = 0; axis < 3; ++axis) {
+      lines[index(axis)] =
+          grid_lines(whole.min()[axis], whole.max()[axis], cells[index(axis)], step);
+    }
     const Areas free(area);
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < cells[index(u)]; ++i) {
@@ -198,15 +205,25 @@ class FreeSpace {
  private:
   static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
-  /// Ends of `count` equal steps, rounded to the lattice; the outermost inward.
-  std::vector<double> grid_lines(double first, double last, std::size_t count) const {
+  /// The least power of two that leaves kStepsPerCell to the shortest side of a cell, or the
+  /// lattice's step.
+  double grid_step(const Box& whole, const std::array<std::size_t, 3>& cells) const {
+    double shortest = HUGE_VAL;
+    for (int axis = 0; axis < 3; ++axis) {
+      shortest = std::min(shortest, whole.sizes()[axis] / static_cast<double>(cells[index(axis)]));
+    }
+    return std::max(step_, std::ldexp(1.0, std::ilogb(shortest / kStepsPerCell)));
+  }
+
+  /// Ends of `count` equal steps, rounded to multiples of `step`; the outermost inward.
+  static std::vector<double> grid_lines(double first, double last, std::size_t count, double step) {
     std::vector<double> lines;
     for (std::size_t i = 0; i <= count; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(count);
-      const double at = (first + share * (last - first)) / step_;
-      lines.push_back(step_ * (i == 0       ? std::ceil(at)
-                               : i == count ? std::floor(at)
-                                            : std::nearbyint(at)));
+      const double at = (first + share * (last - first)) / step;
+      lines.push_back(step * (i == 0       ? std::ceil(at)
+                              : i == count ? std::floor(at)
+                                           : std::nearbyint(at)));
       if (i > 0 && !(lines[i - 1] < lines[i])) {
         throw InputError("--cells", fmt::format("{} cells are finer than the lattice", count),
                          "give fewer");

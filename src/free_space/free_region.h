@@ -61,7 +61,8 @@ struct FreeBoxes {
 /// The boxes of a regular grid that lie wholly in the free space between two heights that is
 /// connected with the seed. Free is what of the plan no surface between the heights, grown by the
 /// clearance, projects to (as for `find_free_region`); the grid divides the bounding rectangle of
-/// that area and the space between the heights.
+/// that area and the space between the heights, rounded, at its border inward, by less than 1/64 of
+/// the shortest side of a cell.
 ///
 /// Errors: InputError at `--volume` for heights outside the scene, out of order or less than a
 /// lattice step apart and where no free space is left; at `--cells` for a grid of which no box is

@@ -31,7 +31,7 @@ struct StrongIndex {
 using SurfaceId = StrongIndex<struct SurfaceTag>;
 /// A named group of surfaces (OBJ `g` or `o`).
 using GroupId = StrongIndex<struct GroupTag>;
-/// A convex planar part of the viewing region.
+/// A polygon or box of the viewing region, or a face of one (scene/viewing_region.h).
 using PartId = StrongIndex<struct PartTag>;
 /// A surface seen as an occluder: its place in the leaf order of the cluster tree.
 using OccluderId = StrongIndex<struct OccluderTag>;

@@ -231,5 +231,68 @@ TEST(FreeRegion, RefusesWhatLeavesNoSpace) {
               ThrowsMessage<InputError>(HasSubstr("--clearance: is negative")));
 }
 
+FreeBoxOptions between(double low, double high, double clearance, int up = 2) {
+  FreeBoxOptions options;
+  options.up_axis = up;
+  options.low = low;
+  options.high = high;
+  options.clearance = clearance;
+  return options;
+}
+
+TEST(FreeBoxes, FillAnEmptyRoomWhicheverWayIsUp) {
+  constexpr double kClearance = 0.25;
+  for (int up = 0; up < 3; ++up) {
+    SCOPED_TRACE(up);
+    const Boxes room = empty_room(up);
+    FreeBoxOptions options = between(1, 2, kClearance, up);
+    // 4 along the room's first axis, 3 along its second, 2 layers.
+    const auto along = [&](int axis) -> std::size_t& {
+      return options.cells[static_cast<std::size_t>((up + 1 + axis) % 3)];
+    };
+    along(0) = 4;
+    along(1) = 3;
+    along(2) = 2;
+    const FreeBoxes free = find_free_boxes(room.scene(), options);
+    ASSERT_EQ(free.boxes.size(), 24u);
+    EXPECT_NEAR(free.area, 3.5 * 2.5, 0.2);
+    EXPECT_NEAR(free.area + free.left_out, 3.5 * 2.5, 0.02);
+    double volume = 0;
+    for (std::size_t i = 0; i < free.boxes.size(); ++i) {
+      volume += free.boxes[i].volume();
+      EXPECT_GE(free.boxes[i].min()[up], 1);
+      EXPECT_LE(free.boxes[i].max()[up], 2);
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_LE(free.boxes[i].intersection(free.boxes[j]).sizes().minCoeff(), 0);
+      }
+    }
+    EXPECT_NEAR(volume, 3.5 * 2.5, 0.4);
+    EXPECT_NO_THROW(check_region_is_free(
+        "region", room.scene(), make_viewing_region({}, free.boxes, 0), {.clearance = kClearance}));
+  }
+}
+
+TEST(FreeBoxes, LeaveOutWhatIsNotWhollyFree) {
+  Boxes room = empty_room();
+  room.add({0.5, 0.5, 0}, {1.5, 1.5, 0.7});  // a table below
+  room.add({2, 1, 1.9}, {2.2, 1.2, 2.5});    // a lamp that hangs into the upper layer only
+  FreeBoxOptions options = between(1, 2, 0.05);
+  options.cells = {8, 6, 2};
+  const FreeBoxes free = find_free_boxes(room.scene(), options);
+  EXPECT_LT(free.boxes.size(), 96u);
+  EXPECT_GE(free.boxes.size(), 96u - 2 * 4) << "it reaches into four columns at most";
+  EXPECT_NEAR(free.left_out, 3.9 * 2.9 - free.area, 0.2);
+  for (const Box& box : free.boxes) {
+    EXPECT_FALSE(box.contains(Point(2.1, 1.1, 1.95)));
+    EXPECT_FALSE(box.contains(Point(2.1, 1.1, 1.05))) << "layers have the same plan";
+  }
+  EXPECT_NO_THROW(check_region_is_free(
+      "region", room.scene(), make_viewing_region({}, free.boxes, 0), {.clearance = 0.05}));
+  // The grid is all or nothing: a single box does not go round the lamp.
+  options.cells = {1, 1, 1};
+  EXPECT_THAT([&] { find_free_boxes(room.scene(), options); },
+              ThrowsMessage<InputError>(HasSubstr("--cells: none of 1 x 1 x 1 is wholly free")));
+}
+
 }  // namespace
 }  // namespace viewcover::testing
