@@ -185,6 +185,8 @@ TEST_F(AssetSoup, RefusesBadGltfInOneLine) {
   EXPECT_THAT(bad("\"count\": 4", "\"count\": 100000000000"), HasSubstr("accessor 0 claims"));
   EXPECT_THAT(bad("\"count\": 6", "\"count\": 60"), StartsWith("a.gltf: "));
   EXPECT_THAT(bad("\"count\": 6", "\"count\": -6"), StartsWith("a.gltf: \"count\" is no count"));
+  EXPECT_THAT(bad("\"count\": 4", "\"sparse\": {}, \"count\": 4"),
+              HasSubstr("accessor 0 is sparse"));
   EXPECT_THAT(bad("[1]}", "[0]}"), HasSubstr("nodes are their own children"));
   EXPECT_THAT(bad("[1]}", "[7]}"), HasSubstr("a child of node 0 does not exist"));
   EXPECT_THAT(bad("[1]}", "[1, 1]}"), HasSubstr("node 1 has two parents"));
