@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -31,8 +32,8 @@ namespace {
 
 /// For assimp in a process of its own: bytes and seconds for a small file, and what it may need
 /// more for each byte of it (1 s a MiB).
-constexpr std::size_t kBytes = std::size_t{2} << 30, kBytesAByte = 64;
-constexpr unsigned kSeconds = 20;
+constexpr std::size_t kBytes = std::size_t{1} << 29, kBytesAByte = 64;
+constexpr unsigned kSeconds = 5;
 
 /// Files in memory, and no others.
 class MemoryFiles : public Assimp::IOSystem {
@@ -257,6 +258,8 @@ PolygonSoup read_with_assimp(std::string_view content, const AssetFiles& files,
   importer.SetIOHandler(new MemoryFiles(content, files));  // which the importer owns
   const aiScene* const scene = importer.ReadFile(files.main, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string_view why = importer.GetErrorString();
+    if (why.find("bad_alloc") != std::string_view::npos) throw std::bad_alloc();
     throw InputError(file, "assimp cannot read it: " + one_line(importer.GetErrorString()), "");
   }
   return SoupMaker(*scene, file).run();
