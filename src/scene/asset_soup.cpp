@@ -301,7 +301,7 @@ PolygonSoup parse_asset(std::string_view content, const std::filesystem::path& f
     soup.file = name;
     return soup;
   } catch (const std::runtime_error&) {
-    fail(name, {});
+    fail(name, Apart());
   }
 }
 
