@@ -33,7 +33,7 @@ void write_all(int file, std::string_view bytes) {
   }
 }
 
-void limit([[maybe_unused]] std::size_t bytes, unsigned seconds) {
+void set_limits([[maybe_unused]] std::size_t bytes, unsigned seconds) {
   const rlimit no_core{0, 0}, time{seconds, seconds + 1};
   ::setrlimit(RLIMIT_CORE, &no_core);
   ::setrlimit(RLIMIT_CPU, &time);
@@ -85,7 +85,7 @@ Apart run_apart(const std::function<std::string()>& task, std::size_t bytes, uns
   const ::pid_t copy = ::fork();
   if (copy == 0) {
     ::close(pipe[0]);
-    limit(bytes, seconds);
+    set_limits(bytes, seconds);
     run_copy(task, pipe[1]);
   }
   const int error = errno;

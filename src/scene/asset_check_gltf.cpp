@@ -128,12 +128,14 @@ class GltfChecker {
   void check_accessors() const {
     const json& accessors = list("accessors");
     for (std::size_t i = 0; i < accessors.size(); ++i) {
-      const json* const sparse = member(accessors[i], "sparse");
-      if (count(accessors[i], "count") <= bytes_ &&
-          (sparse == nullptr || count(*sparse, "count") <= bytes_)) {
-        continue;
+      if (count(accessors[i], "count") > bytes_) {
+        fail(fmt::format("accessor {} claims more elements than the file has bytes", i), "");
       }
-      fail(fmt::format("accessor {} claims more elements than the file has bytes", i), "");
+      // assimp 5.2 writes beyond its memory where their indices are out of range.
+      if (member(accessors[i], "sparse") != nullptr) {
+        fail(fmt::format("accessor {} is sparse, which is not read", i),
+             "export it with all its elements");
+      }
     }
   }
 

@@ -14,8 +14,10 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "scene/address.h"
@@ -30,8 +32,8 @@ namespace {
 
 /// For assimp in a process of its own: bytes and seconds for a small file, and what it may need
 /// more for each byte of it (1 s a MiB).
-constexpr std::size_t kBytes = std::size_t{2} << 30, kBytesAByte = 64;
-constexpr unsigned kSeconds = 20;
+constexpr std::size_t kBytes = std::size_t{1} << 29, kBytesAByte = 64;
+constexpr unsigned kSeconds = 5;
 
 /// Files in memory, and no others.
 class MemoryFiles : public Assimp::IOSystem {
@@ -191,30 +193,49 @@ class SoupWriter {
   std::string bytes_;
 };
 
+/// The soup again. assimp may have broken the memory that it comes from: whatever is not as a soup
+/// must be is a std::runtime_error.
 class SoupReader {
  public:
   explicit SoupReader(std::string_view bytes) : bytes_(bytes) {}
 
   PolygonSoup read() {
     PolygonSoup soup;
-    soup.vertices.resize(next<std::size_t>());
+    soup.vertices.resize(size_of(sizeof(std::array<double, 3>)));
     for (Point& v : soup.vertices) {
       const auto coordinates = next<std::array<double, 3>>();
       v = Point(coordinates[0], coordinates[1], coordinates[2]);
+      require(v.allFinite());
     }
-    soup.faces.resize(next<std::size_t>());
+    soup.faces.resize(size_of(sizeof(std::size_t)));
     for (PolygonSoup::Face& face : soup.faces) {
       soup.face_groups.emplace_back(next<std::uint32_t>());
-      face.resize(next<std::size_t>());
-      for (std::uint32_t& corner : face) corner = next<std::uint32_t>();
+      face.resize(size_of(sizeof(std::uint32_t)));
+      require(face.size() >= 3);
+      for (std::uint32_t& corner : face) {
+        corner = next<std::uint32_t>();
+        require(corner < soup.vertices.size());
+      }
     }
-    soup.groups.resize(next<std::size_t>());
+    soup.groups.resize(size_of(sizeof(std::size_t)));
     for (std::string& group : soup.groups) group = take(next<std::size_t>());
+    for (const GroupId group : soup.face_groups) require(group.value < soup.groups.size());
+    require(!soup.faces.empty() && bytes_.empty());
     return soup;
   }
 
  private:
+  static void require(bool holds) {
+    if (!holds) throw std::runtime_error("its soup is broken");
+  }
+  /// How many things of at least so many bytes follow.
+  std::size_t size_of(std::size_t bytes_each) {
+    const auto size = next<std::size_t>();
+    require(size <= bytes_.size() / bytes_each);
+    return size;
+  }
   std::string_view take(std::size_t size) {
+    require(size <= bytes_.size());
     const std::string_view taken = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
     return taken;
@@ -237,6 +258,8 @@ PolygonSoup read_with_assimp(std::string_view content, const AssetFiles& files,
   importer.SetIOHandler(new MemoryFiles(content, files));  // which the importer owns
   const aiScene* const scene = importer.ReadFile(files.main, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string_view why = importer.GetErrorString();
+    if (why.find("bad_alloc") != std::string_view::npos) throw std::bad_alloc();
     throw InputError(file, "assimp cannot read it: " + one_line(importer.GetErrorString()), "");
   }
   return SoupMaker(*scene, file).run();
@@ -273,9 +296,13 @@ PolygonSoup parse_asset(std::string_view content, const std::filesystem::path& f
       run_apart([&] { return SoupWriter::write(read_with_assimp(content, files, name)); },
                 kBytes + kBytesAByte * bytes, kSeconds + static_cast<unsigned>(bytes >> 20));
   if (apart.end != Apart::End::kDone) fail(name, apart);
-  PolygonSoup soup = SoupReader(apart.bytes).read();
-  soup.file = name;
-  return soup;
+  try {
+    PolygonSoup soup = SoupReader(apart.bytes).read();
+    soup.file = name;
+    return soup;
+  } catch (const std::runtime_error&) {
+    fail(name, Apart());
+  }
 }
 
 }  // namespace viewcover

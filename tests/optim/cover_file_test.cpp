@@ -89,8 +89,7 @@ TEST_F(CoverFile, RefusesWhatIsWrongInOneLine) {
               HasSubstr("problem:1: no pattern matrix"));
   EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n3 1\n"), kMtx),
               HasSubstr("problem:4: 3 is not a row; give a number from 1 to 2"));
-  EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n1 x\n"), kMtx),
-              HasSubstr("problem:4: 'x' is not a column"));
+  EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n1 x\n"), kMtx), HasSubstr("problem:4: 'x' is not a column"));
   EXPECT_THAT(refusal(mtx("2 3 2\n1 1\n"), kMtx), HasSubstr("the file ends before a row"));
   EXPECT_THAT(refusal(mtx("2 3 1\n1 1\n1 2\n"), kMtx),
               HasSubstr("problem:4: there is more than the header announces"));

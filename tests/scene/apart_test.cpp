@@ -42,7 +42,7 @@ TEST(Apart, SurvivesWhateverBecomesOfTheTask) {
 }
 
 TEST(Apart, EndsATaskThatAsksForTooMuch) {
-  if (testing::sanitized()) GTEST_SKIP() << "sanitizers need more than any limit";
+  if (viewcover::testing::sanitized()) GTEST_SKIP() << "sanitizers need more than any limit";
   EXPECT_EQ(end_of([] { return std::string(2 * kBytes, 'x'); }), Apart::End::kNoMemory);
 }
 

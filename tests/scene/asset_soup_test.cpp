@@ -8,13 +8,14 @@
 #include "scene/error.h"
 #include "scene/polygon_soup.h"
 #include "scene/scratch_folder.h"
+#include "support/sanitized.h"
 
 namespace viewcover {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using Face = PolygonSoup::Face;
 
 std::string base64(std::string_view bytes) {
@@ -121,7 +122,7 @@ constexpr const char* kInstances = R"(  <library_nodes><node id="n1" name="tile"
     <node id="b" name="there"><translate>0 0 8</translate><instance_geometry url="#g1"/></node>
   </visual_scene></library_visual_scenes>)";
 
-class AssetSoup : public testing::Test {
+class AssetSoup : public ::testing::Test {
  protected:
   PolygonSoup read(const std::string& name, std::string_view content) const {
     return read_polygon_soup(folder_.write(name, content));
@@ -185,6 +186,8 @@ TEST_F(AssetSoup, RefusesBadGltfInOneLine) {
   EXPECT_THAT(bad("\"count\": 4", "\"count\": 100000000000"), HasSubstr("accessor 0 claims"));
   EXPECT_THAT(bad("\"count\": 6", "\"count\": 60"), StartsWith("a.gltf: "));
   EXPECT_THAT(bad("\"count\": 6", "\"count\": -6"), StartsWith("a.gltf: \"count\" is no count"));
+  EXPECT_THAT(bad("\"count\": 4", "\"sparse\": {}, \"count\": 4"),
+              HasSubstr("accessor 0 is sparse"));
   EXPECT_THAT(bad("[1]}", "[0]}"), HasSubstr("nodes are their own children"));
   EXPECT_THAT(bad("[1]}", "[7]}"), HasSubstr("a child of node 0 does not exist"));
   EXPECT_THAT(bad("[1]}", "[1, 1]}"), HasSubstr("node 1 has two parents"));
@@ -213,6 +216,14 @@ TEST_F(AssetSoup, RefusesGlbCutShortAnywhere) {
   std::string bytes = whole;
   bytes[4] = 1;
   EXPECT_THAT(error("a.glb", bytes), HasSubstr("another version"));
+}
+
+TEST_F(AssetSoup, EndsAnAssimpThatAsksForMoreAndMore) {
+  if (viewcover::testing::sanitized()) GTEST_SKIP() << "sanitizers need more than any limit";
+  std::string text = collada(kInstances);
+  const std::string corners = "<p>0 1 2";
+  text.replace(text.find(corners), corners.size(), "<p>0 1\x01 2");
+  EXPECT_THAT(error("a.dae", text), HasSubstr("assimp needs more memory"));
 }
 
 TEST_F(AssetSoup, RefusesBadColladaInOneLine) {
