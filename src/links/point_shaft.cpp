@@ -71,8 +71,6 @@ bool PointShaft::cull(std::span<const OccluderId> candidates, PointShaftOccluder
   for (const OccluderId candidate : candidates) {
     switch (meets(candidate)) {
       case Meets::kBlocksAll:
-        kept.clear();
-        kept.push_back(candidate);
         return true;
       case Meets::kMaybe:
         kept.push_back(candidate);

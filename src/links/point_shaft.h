@@ -36,8 +36,8 @@ class PointShaft {
   /// kNo only if the occluder hides nothing of the element, kBlocksAll iff it hides all of it
   /// alone; both exact. Requires is_facing().
   Meets meets(OccluderId occluder) const;
-  /// Writes to `kept` the candidates that may hide something, in their order. True, with that one
-  /// alone in `kept`, as soon as one hides everything. Requires is_facing().
+  /// Writes to `kept` the candidates that may hide something, in their order. True, with `kept`
+  /// unfinished, as soon as one hides everything. Requires is_facing().
   bool cull(std::span<const OccluderId> candidates, PointShaftOccluders& kept) const;
 
   /// The occluders left in the shaft, as set by `set_occluders`.

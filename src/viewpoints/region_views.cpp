@@ -9,13 +9,6 @@
 #include "viewpoints/column_bits.h"
 
 namespace viewcover {
-namespace {
-
-/// Surfaces tried first, such as walls round a doorway.
-constexpr std::size_t kBlockers = 4;
-
-}  // namespace
-
 RegionViews::RegionViews(const ViewedScene& viewed)
     : viewed_(viewed),
       occluders_(viewed.scene, viewed.clusters, viewed.region),
@@ -143,25 +136,14 @@ bool RegionViews::is_facing(std::size_t column, const Point& position) const {
 }
 
 bool RegionViews::sees(const PartialColumn& partial, const Point& position,
-                       const std::optional<ElementTarget>& target, Blockers& blockers) const {
+                       const std::optional<ElementTarget>& target) const {
   PointShaft shaft(occluders_, position, viewed_.matrix.elements[partial.column],
                    elements_[partial.column], viewed_.one_sided);
   if (!shaft.is_facing()) return false;
-  // What hid the elements before is likely to hide their neighbour.
-  for (std::size_t i = 0; i < blockers.size(); ++i) {
-    if (shaft.meets(blockers[i]) != PointShaft::Meets::kBlocksAll) continue;
-    std::rotate(blockers.begin(), blockers.begin() + static_cast<std::ptrdiff_t>(i),
-                blockers.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    return false;
-  }
   PointShaftOccluders kept;
   const auto list = std::span(stored_).subspan(partial.occluders_begin,
                                                partial.occluders_end - partial.occluders_begin);
-  if (shaft.cull(list, kept)) {
-    if (blockers.size() == kBlockers) blockers.pop_back();
-    blockers.insert(blockers.begin(), kept[0]);
-    return false;
-  }
+  if (shaft.cull(list, kept)) return false;
   if (kept.empty()) return true;
   shaft.set_occluders(kept);
   if (target && target->column == partial.column) shaft.set_target(target->place);
@@ -178,10 +160,9 @@ void RegionViews::look(std::size_t region, const Point& position, std::span<BitR
       if (wanted.empty() || has_column(wanted, column)) add_column(row, column);
     }
   }
-  Blockers blockers;
   for (const PartialColumn& partial : view.partial) {
     if (!wanted.empty() && !has_column(wanted, partial.column)) continue;
-    if (sees(partial, position, target, blockers)) add_column(row, partial.column);
+    if (sees(partial, position, target)) add_column(row, partial.column);
   }
 }
 

@@ -110,9 +110,6 @@ class RegionViews : public CellViews {
     std::vector<SurfaceId> touching;     ///< surfaces that may touch positions of the region
   };
 
-  /// The surfaces that hid the last elements wholly from one position, the latest first.
-  using Blockers = SmallList<OccluderId, 4>;
-
   void add_link(std::size_t link);
   void add_boxes();
   /// The occluders of its columns, in the places that its view names.
@@ -120,7 +117,7 @@ class RegionViews : public CellViews {
   std::vector<PlanarPolygon> faces_of(RegionAddress address, const RegionShape& shape) const;
   bool face_sees(const RegionCell& cell, const PlanarPolygon& face, std::size_t column) const;
   bool sees(const PartialColumn& partial, const Point& position,
-            const std::optional<ElementTarget>& target, Blockers& blockers) const;
+            const std::optional<ElementTarget>& target) const;
   /// The occluders stored with the link of region and column; none if it is seen fully.
   std::span<const OccluderId> stored_occluders(std::size_t region, std::size_t column) const;
   SmallList<ShaftOccluder, 96> shaft_occluders(std::size_t region, std::size_t column) const;
