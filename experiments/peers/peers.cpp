@@ -38,10 +38,20 @@ std::vector<ConvexPolygon> polygons_of(const RunData& run) {
   return polygons;
 }
 
+/// Errors: InputError for boxes, which the peers do not look from.
+std::vector<ConvexPolygon> regions_of(const RunData& run) {
+  std::vector<ConvexPolygon> polygons;
+  for (const RegionShape& region : run.regions) {
+    if (region.is_box()) throw InputError("DIR", "has boxes as regions", "use polygons");
+    polygons.push_back(region.polygon());
+  }
+  return polygons;
+}
+
 class EmbreePeer final : public Peer {
  public:
   EmbreePeer(const RunData& run, int rays, std::uint64_t seed)
-      : run_(run),
+      : regions_(regions_of(run)),
         elements_(polygons_of(run)),
         surfaces_(surfaces_of(run)),
         rays_(rays),
@@ -50,7 +60,7 @@ class EmbreePeer final : public Peer {
   bool sees(std::size_t region, std::size_t element) const override {
     // A hit this near the end is the element itself, or what it lies on.
     constexpr float kEnd = 1 - 1e-4F;
-    const PolygonSampler from(run_.regions[region]), to(elements_[element]);
+    const PolygonSampler from(regions_[region]), to(elements_[element]);
     Samples4 samples(mixed(mixed(seed_) + region * elements_.size() + element), rays_, false);
     for (int i = 0; i < rays_; ++i) {
       const auto [a, b, c, d] = samples.next();
@@ -67,8 +77,7 @@ class EmbreePeer final : public Peer {
     return polygons;
   }
 
-  const RunData& run_;
-  std::vector<ConvexPolygon> elements_;
+  std::vector<ConvexPolygon> regions_, elements_;
   RayScene surfaces_;
   int rays_;
   std::uint64_t seed_;
@@ -79,9 +88,9 @@ class OneOccluderPeer final : public Peer {
   explicit OneOccluderPeer(const RunData& run)
       : run_(run),
         clusters_(run.bundle.scene),
-        region_{.parts = run.regions, .level = 0},
+        region_(make_viewing_region(regions_of(run), {}, 0)),
         occluders_(run.bundle.scene, clusters_, region_) {
-    for (const ConvexPolygon& region : run.regions) regions_.push_back({region, Plane(region)});
+    for (const ConvexPolygon& region : region_.parts) regions_.push_back({region, Plane(region)});
     for (const ConvexPolygon& element : polygons_of(run)) {
       elements_.push_back({element, Plane(element)});
     }
