@@ -19,6 +19,7 @@
 #include "links/sampling.h"
 #include "report/run_data.h"
 #include "scene/cluster_tree.h"
+#include "scene/error.h"
 #include "show/ray_scene.h"
 
 namespace viewcover {
