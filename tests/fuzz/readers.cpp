@@ -74,11 +74,14 @@ void run_soup(std::string_view content, const char* file) {
 
 void run_region(std::string_view content) {
   accept_or_refuse([&] {
-    const auto parts =
+    const RegionFile region =
         parse_json_region(std::string(content), "fuzz.json", Lattice::for_extent(10));
-    require(!parts.empty(), "a region has parts");
-    for (const ConvexPolygon& part : parts) {
-      require(is_planar(part) && is_strictly_convex(part), "convex, planar");
+    require(!region.polygons.empty() || !region.boxes.empty(), "a region has parts");
+    for (const ConvexPolygon& polygon : region.polygons) {
+      require(is_planar(polygon) && is_strictly_convex(polygon), "convex, planar");
+    }
+    for (const Box& box : region.boxes) {
+      require((box.sizes().array() > 0).all(), "a box has a volume");
     }
   });
 }
