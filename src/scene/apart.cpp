@@ -13,12 +13,13 @@
 #include <string_view>
 #include <system_error>
 
-#if defined(__has_feature)
+// GCC says it by a macro. It has no __has_feature, but some headers define one that is always 0.
+#if defined(__SANITIZE_ADDRESS__)
+#define VIEWCOVER_SANITIZED
+#elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define VIEWCOVER_SANITIZED
 #endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define VIEWCOVER_SANITIZED
 #endif
 
 namespace viewcover {
