@@ -64,7 +64,7 @@ TEST(Resume, AfterKillsAtAnyMomentTheBundleIsTheSame) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> moment(0, seconds);
   const char* const asked = std::getenv("VIEWCOVER_KILLS");
-  const int kills = asked != nullptr ? std::atoi(asked) : 10;
+  const int kills = asked != nullptr ? std::atoi(asked) : 6;
   int killed = 0, continued = 0;
   for (int i = 0; i < kills; ++i) {
     SCOPED_TRACE(i);

@@ -60,7 +60,10 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  void signal(int number) const { ::kill(pid_, number); }
+  /// Nothing where it has ended: kill(0) would be for all processes of the group.
+  void signal(int number) const {
+    if (pid_ > 0) ::kill(pid_, number);
+  }
   bool running() {
     if (pid_ > 0 && ::waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = 0;
     return pid_ > 0;

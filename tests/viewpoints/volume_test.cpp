@@ -121,6 +121,7 @@ VisibilityMatrix in_order_of(const ViewingRegion& polygons, const SolvedScene& b
 }
 
 TEST(Volume, AFlatBoxTendsToItsPolygon) {
+  if (testing::sanitized()) GTEST_SKIP() << "half a minute with sanitizers";
   const Scene scene = living_room_scene();
   const ConvexPolygon eye_height =
       testing::load_generated(living_room(RoomDetail::kSimple), 1).region.parts.front();
@@ -361,6 +362,7 @@ TEST(Volume, AViewpointInsideSeesWhatNoneOnAFaceDoes) {
 }
 
 TEST(Volume, PolygonsAndBoxesMayBeMixed) {
+  if (testing::sanitized()) GTEST_SKIP() << "half a minute with sanitizers";
   const Scene scene = living_room_scene();
   const ConvexPolygon eye_height =
       testing::load_generated(living_room(RoomDetail::kSimple), 1).region.parts.front();
@@ -388,6 +390,7 @@ TEST(Volume, PolygonsAndBoxesMayBeMixed) {
 }
 
 TEST(Volume, LinksDoNotDependOnThreads) {
+  if (testing::sanitized()) GTEST_SKIP() << "half a minute with sanitizers";
   const Scene scene = living_room_scene();
   RandomNumbers random(36);
   const ViewingRegion region = make_viewing_region({}, random_boxes(scene, 1, random), 1);
