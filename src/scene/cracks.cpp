@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "scene/convex_parts.h"
 #include "scene/predicates.h"
 
 namespace viewcover {
@@ -133,14 +134,27 @@ void move_together(PolygonSoup& soup, std::span<const NearVertices> apart, Heali
   }
 }
 
+bool crosses_itself(const PolygonSoup& soup, const PolygonSoup::Face& face) {
+  std::vector<Point> loop;
+  for (const std::uint32_t corner : face) loop.push_back(soup.vertices[corner]);
+  return convex_parts(without_straight_corners(loop)).kind == FaceKind::kCrossing;
+}
+
+/// `cracks` are beside edges of one face. A vertex may be beside two of them, such as those of a
+/// bridge to a hole. A thin face that the new corners would make cross itself stays as it is.
 void insert_corners(PolygonSoup& soup, std::span<const Crack> cracks, Healing& healing) {
+  PolygonSoup::Face& face = soup.faces[cracks.front().face];
+  PolygonSoup::Face healed = face;
+  std::size_t inserted = 0;
   // From the last: corners before stay where they are.
   for (auto crack = cracks.rbegin(); crack != cracks.rend(); ++crack) {
-    PolygonSoup::Face& face = soup.faces[crack->face];
     if (std::ranges::find(face, crack->vertex) != face.end()) continue;
-    face.insert(face.begin() + crack->edge + 1, crack->vertex);
-    ++healing.inserted;
+    healed.insert(healed.begin() + crack->edge + 1, crack->vertex);
+    ++inserted;
   }
+  if (crosses_itself(soup, healed) && !crosses_itself(soup, face)) return;
+  face = std::move(healed);
+  healing.inserted += inserted;
 }
 
 }  // namespace
@@ -156,7 +170,13 @@ Cracks find_cracks(const PolygonSoup& soup, double width) {
 Healing heal(PolygonSoup& soup, double width) {
   Healing healing;
   move_together(soup, find_cracks(soup, width).apart, healing);
-  insert_corners(soup, find_cracks(soup, width).beside_edges, healing);
+  const std::vector<Crack> cracks = find_cracks(soup, width).beside_edges;
+  for (auto begin = cracks.begin(); begin != cracks.end();) {
+    const auto end = std::find_if(begin, cracks.end(),
+                                  [&](const Crack& crack) { return crack.face != begin->face; });
+    insert_corners(soup, {begin, end}, healing);
+    begin = end;
+  }
   return healing;
 }
 

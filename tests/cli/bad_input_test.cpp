@@ -196,7 +196,6 @@ TEST(BadOptions, AreRefusedInOneLine) {
       {{"--backend", "exact", "--coverage", "full"}, "use it with --viewpoints sa"},
       {{"--missed-share", "0.1"}, "use it with --coverage full"},
       {{"--missed-share", "-1"}, "--missed-share"},
-      {{"--resume"}, "--resume: not in this version"},
       {{"--no-such-option"}, "--no-such-option"},
       {{"--rays"}, "--rays"},
       {{"surplus"}, "surplus"},

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scene/convex_parts.h"
 #include "scene/random_numbers.h"
 #include "scene/scene.h"
 #include "scene/scratch_folder.h"
@@ -128,6 +129,41 @@ TEST(Heal, ClosesTJunctionsAndMovesNothingTooFar) {
   EXPECT_NEAR(merged.largest_move, 0.005, 1e-15);
   EXPECT_EQ(apart.vertices[3], apart.vertices[1]);
   EXPECT_EQ(apart.vertices[6], Point(1.012, 0, 0));
+}
+
+FaceKind kind_of(const PolygonSoup& soup, std::size_t face) {
+  std::vector<Point> loop;
+  for (const std::uint32_t corner : soup.faces[face]) loop.push_back(soup.vertices[corner]);
+  return convex_parts(without_straight_corners(loop)).kind;
+}
+
+TEST(Heal, ABridgeToAHoleStaysWalkedTwice) {
+  PolygonSoup soup = soup_of({{{0, 0, 0},
+                               {4, 0, 0},
+                               {4, 4, 0},
+                               {0, 4, 0},
+                               {0, 0, 0},
+                               {1, 1, 0},
+                               {1, 3, 0},
+                               {3, 3, 0},
+                               {3, 1, 0},
+                               {1, 1, 0}},
+                              {{0.5, 0.52, 0}, {0.4, 0.5, 1}, {0.6, 0.5, 1}}});
+  EXPECT_EQ(heal(soup, 0.05).inserted, 2u);
+  EXPECT_EQ(soup.faces[0].size(), 12u);
+  EXPECT_NE(kind_of(soup, 0), FaceKind::kCrossing);
+}
+
+TEST(Heal, AFaceThatWouldCrossItselfStaysAsItIs) {
+  // Each vertex is beside both long edges of the strip.
+  PolygonSoup soup = soup_of({{{0, 0, 0}, {1, 0, 0}, {1, 0.004, 0}, {0, 0.004, 0}},
+                              {{0.5, -0.003, 0}, {0.5, -1, 1}, {0.6, -1, 1}},
+                              {{0.5, 0.007, 0}, {0.5, 1, 1}, {0.6, 1, 1}}});
+  const PolygonSoup before = soup;
+  const Healing healing = heal(soup, 0.008);
+  EXPECT_EQ(healing.inserted, 0u);
+  EXPECT_EQ(soup.faces[0], before.faces[0]);
+  EXPECT_NE(kind_of(soup, 0), FaceKind::kCrossing);
 }
 
 /// A cube whose top is cut into two rectangles with corners of their own, `gap` too low at one of
