@@ -5,8 +5,7 @@
 namespace viewcover {
 
 /// From now on the first SIGINT or SIGTERM sets interrupt_flag(), a second one ends the process;
-/// SIGXFSZ and
-/// SIGPIPE are ignored, so that writing fails with a reason instead.
+/// SIGXFSZ and SIGPIPE are ignored, so that writing fails with a reason instead.
 void install_signal_handlers();
 
 /// Set by the first SIGINT or SIGTERM and by interrupt(), never reset.

@@ -44,16 +44,14 @@ template <std::size_t kCount>
 std::array<double, kCount> numbers_in(std::string_view option, std::string_view text,
                                       std::string_view form) {
   std::array<double, kCount> numbers{};
-  std::string_view rest = text;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    const std::size_t comma = rest.find(',');
-    const bool is_last = i + 1 == kCount;
-    if ((comma == std::string_view::npos) != is_last || !parse(rest.substr(0, comma), numbers[i]) ||
-        !std::isfinite(numbers[i])) {
-      throw InputError(option, "'" + std::string(text) + "' is not " + std::string(form),
-                       "give " + std::to_string(kCount) + " numbers");
-    }
-    if (!is_last) rest.remove_prefix(comma + 1);
+  const std::vector<std::string_view> fields = fields_of(text);
+  bool is_right = fields.size() == kCount;
+  for (std::size_t i = 0; i < kCount && is_right; ++i) {
+    is_right = parse(fields[i], numbers[i]) && std::isfinite(numbers[i]);
+  }
+  if (!is_right) {
+    throw InputError(option, "'" + std::string(text) + "' is not " + std::string(form),
+                     "give " + std::to_string(kCount) + " numbers");
   }
   return numbers;
 }
@@ -101,6 +99,16 @@ std::uint64_t bytes_option(std::string_view option, std::string_view text) {
                      "give a number of bytes, such as 500M or 8G");
   }
   return static_cast<std::uint64_t>(bytes * unit);
+}
+
+std::vector<std::string_view> fields_of(std::string_view text) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    fields.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return fields;
+    text.remove_prefix(comma + 1);
+  }
 }
 
 Point place_option(std::string_view option, std::string_view text) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/types.h"
 
@@ -25,6 +26,8 @@ double non_negative_option(std::string_view option, std::string_view text);
 
 /// A size of at least 1 MiB as bytes: a number and, for powers of 1024, K, M, G or T.
 std::uint64_t bytes_option(std::string_view option, std::string_view text);
+/// The texts between commas; one where there is no comma.
+std::vector<std::string_view> fields_of(std::string_view text);
 /// Three finite numbers X,Y,Z.
 Point place_option(std::string_view option, std::string_view text);
 /// The box between two corners, X0,Y0,Z0,X1,Y1,Z1, in any order.

@@ -28,20 +28,6 @@ constexpr double kLargest = 1e30;
 /// Along an axis: boxes that a person may still look at, and a minute of computing.
 constexpr std::uint64_t kMostCells = 128;
 
-/// The texts between commas. Errors: InputError for another number of them.
-template <std::size_t N>
-std::array<std::string_view, N> fields_of(std::string_view option, std::string_view text,
-                                          std::string_view what, std::string_view advice) {
-  std::array<std::string_view, N> fields;
-  for (std::size_t i = 0; i < N; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i + 1 == N)) throw InputError(option, what, advice);
-    fields[i] = text.substr(0, comma);
-    text.remove_prefix(i + 1 == N ? text.size() : comma + 1);
-  }
-  return fields;
-}
-
 /// What FreeRegionOptions and FreeBoxOptions have in common.
 template <class Options>
 Options options_of(const RegionText& text) {
@@ -62,13 +48,17 @@ FreeRegionOptions region_options(const RegionText& text) {
 
 FreeBoxOptions box_options(const RegionText& text) {
   auto options = options_of<FreeBoxOptions>(text);
-  const auto [low, high] =
-      fields_of<2>("--volume", text.volume, "is no pair of heights", "give two heights LOW,HIGH");
-  options.low = number_option("--volume", low, -kLargest, kLargest);
-  options.high = number_option("--volume", high, -kLargest, kLargest);
+  const std::vector<std::string_view> heights = fields_of(text.volume);
+  if (heights.size() != 2) {
+    throw InputError("--volume", "is no pair of heights", "give two heights LOW,HIGH");
+  }
+  options.low = number_option("--volume", heights[0], -kLargest, kLargest);
+  options.high = number_option("--volume", heights[1], -kLargest, kLargest);
   if (!text.cells.empty()) {
-    const auto cells =
-        fields_of<3>("--cells", text.cells, "is no grid", "give three whole numbers NX,NY,NZ");
+    const std::vector<std::string_view> cells = fields_of(text.cells);
+    if (cells.size() != 3) {
+      throw InputError("--cells", "is no grid", "give three whole numbers NX,NY,NZ");
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       options.cells[i] = count_option("--cells", cells[i], 1, kMostCells);
     }

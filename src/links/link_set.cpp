@@ -28,6 +28,17 @@ std::uint32_t take(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
   }
 }
 
+/// Ascending ids by what they are beyond the one before.
+template <class Bytes>
+void put_list(Bytes& bytes, std::span<const OccluderId> ids) {
+  std::uint32_t next = 0;
+  for (const OccluderId id : ids) {
+    assert(id.value >= next);
+    put(bytes, id.value - next);
+    next = id.value + 1;
+  }
+}
+
 template <class Owner>
 void put_node(std::string& bytes, QuadAddress<Owner> node) {
   put(bytes, std::uint64_t{node.owner().value} + 1);
@@ -67,12 +78,7 @@ void LinkSet::add(const Link& link, std::span<const OccluderId> occluders) {
   assert(is_visible(link.verdict));
   links_.push_back({link.region, link.element, packed_lists_.size(), link.verdict});
   count(link.verdict);
-  std::uint32_t next = 0;
-  for (const OccluderId id : occluders) {
-    assert(id.value >= next);
-    put(packed_lists_, id.value - next);
-    next = id.value + 1;
-  }
+  put_list(packed_lists_, occluders);
 }
 
 void LinkSet::append(LinkSet&& other) {
@@ -119,11 +125,7 @@ std::string LinkSet::to_bytes(std::size_t first) const {
     put(bytes, static_cast<std::uint64_t>(links_[i].verdict));
     const std::vector<OccluderId> list = occluders(i);
     put(bytes, list.size());
-    std::uint32_t next = 0;
-    for (const OccluderId id : list) {
-      put(bytes, id.value - next);
-      next = id.value + 1;
-    }
+    put_list(bytes, list);
   }
   return bytes;
 }
