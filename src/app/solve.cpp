@@ -6,6 +6,8 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -18,6 +20,7 @@
 #include "full_coverage/full_search.h"
 #include "links/refine.h"
 #include "links/visibility_matrix.h"
+#include "links/wide_visibility.h"
 #include "optim/cover_methods.h"
 #include "optim/stopwatch.h"
 #include "report/audit_files.h"
@@ -52,6 +55,20 @@ BackendStatistics sum(BackendStatistics a, const BackendStatistics& b) {
   return a;
 }
 
+/// Refines as `find` does, with its progress shown and its interrupts.
+template <class Find>
+auto show_refinement(const char* stage, const SolveOptions& options, const Find& find) {
+  RefineProgress progress;
+  const ForwardInterrupt forward(progress.stop);
+  const Progress shown(
+      stage,
+      [&progress] {
+        return Progress::State{progress.share_done, fmt::format("{} links", progress.links.load())};
+      },
+      options.quiet);
+  return tbb::task_arena(options.threads).execute([&] { return find(progress); });
+}
+
 /// Goes on from what the checkpoint has, whose statistics are left in `before`.
 LinkSet find_links(const Scene& scene, const ClusterTree& clusters, const ViewingRegion& region,
                    const VisibilityBackend& backend, const RefineOptions& refine_options,
@@ -66,21 +83,14 @@ LinkSet find_links(const Scene& scene, const ClusterTree& clusters, const Viewin
                                   checkpoint.save(batches, links,
                                                   sum(before, backend.statistics()));
                                 }};
-  RefineProgress progress;
-  const ForwardInterrupt forward(progress.stop);
-  const Progress shown(
-      "visibility",
-      [&progress] {
-        return Progress::State{progress.share_done, fmt::format("{} links", progress.links.load())};
-      },
-      options.quiet);
-  return tbb::task_arena(options.threads).execute([&] {
+  return show_refinement("visibility", options, [&](RefineProgress& progress) {
     return refine(scene, clusters, region, backend, refine_options, &progress, &checkpoints);
   });
 }
 
-RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& options) {
-  const CoverInstance instance(matrix.bits, matrix.areas);
+RegionCover choose_regions(const BitRows& bits, std::span<const double> areas,
+                           const SolveOptions& options) {
+  const CoverInstance instance(bits, areas);
   const double bound = static_cast<double>(instance.lower_bound());
   std::atomic<std::size_t> regions = 0;
   std::atomic<double> percent = 0;
@@ -103,6 +113,27 @@ RegionCover choose_regions(const VisibilityMatrix& matrix, const SolveOptions& o
     percent = step.covered_percent;
   };
   return make_cover_method(options.optimizer)->solve(instance, cover_options);
+}
+
+std::optional<WideSolution> solve_without_narrow_gaps(const Scene& scene,
+                                                      const ViewingRegion& region,
+                                                      const VisibilityMatrix& matrix,
+                                                      const VisibilityBackend& backend,
+                                                      const RefineOptions& refine_options,
+                                                      const SolveOptions& options) {
+  if (options.aperture == 0) return std::nullopt;
+  WideVisibility wide =
+      show_refinement("visibility without gaps", options, [&](RefineProgress& progress) {
+        return find_wide_visibility(scene, region, matrix, backend, refine_options,
+                                    options.aperture, &progress);
+      });
+  if (wide.gaps_entered > 0 && !options.quiet) {
+    print_error_line(
+        fmt::format("{} patches of gaps narrower than {} stay open: the region passes through them",
+                    wide.gaps_entered, options.aperture));
+  }
+  RegionCover cover = choose_regions(wide.bits, matrix.areas, options);
+  return WideSolution{std::move(wide), std::move(cover)};
 }
 
 std::optional<ViewpointSet> choose_viewpoints(const ViewedScene& viewed, const RegionCover& cover,
@@ -248,8 +279,13 @@ int solve(const SolveOptions& options) {
     stop_if_interrupted();
 
     const Stopwatch covering;
-    const RegionCover cover = choose_regions(matrix, options);
+    const RegionCover cover = choose_regions(matrix.bits, matrix.areas, options);
     seconds.cover = covering.seconds();
+
+    const Stopwatch widening;
+    const std::optional<WideSolution> wide =
+        solve_without_narrow_gaps(scene, region, matrix, *backend, refine_options, options);
+    if (wide) seconds.wide = widening.seconds();
 
     const Stopwatch viewing;
     const std::optional<ViewpointSet> viewpoints =
@@ -265,7 +301,8 @@ int solve(const SolveOptions& options) {
                             matrix,
                             cover,
                             sum(before, backend->statistics()),
-                            viewpoints ? &*viewpoints : nullptr};
+                            viewpoints ? &*viewpoints : nullptr,
+                            wide ? &*wide : nullptr};
     bundle.write(solution);
     audit_viewpoints(solution, bundle, options);
     stop_if_interrupted();

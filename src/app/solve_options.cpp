@@ -89,6 +89,11 @@ void SolveText::add_to(CLI::App& command) {
       "close cracks up to this width: vertices that near to an edge or a vertex are joined to it",
       "W");
   option("--crop", crop, kCropHelp, kCropType);
+  option(
+      "--aperture", aperture,
+      "mark what is visible only through gaps narrower than this, and choose regions without it, "
+      "too",
+      "W");
   command
       .add_option("--target", targets,
                   "a group to be seen, by its name or its object's, once for each; the others only "
@@ -170,6 +175,7 @@ SolveOptions::SolveOptions(const SolveText& text)
   }
   if (!text.crop.empty()) crop = box_option("--crop", text.crop);
   if (!text.heal.empty()) heal = positive_option("--heal", text.heal);
+  if (!text.aperture.empty()) aperture = positive_option("--aperture", text.aperture);
   if (!text.lattice.empty()) {
     lattice_exponent =
         integer_option("--lattice", text.lattice, -kMostLatticeExponent, kMostLatticeExponent);
@@ -200,6 +206,7 @@ Json SolveOptions::to_json(double used_element_area) const {
     options["crop"] = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
   }
   options["targets"] = targets;
+  options["aperture"] = aperture > 0 ? Json(aperture) : Json(nullptr);
   options["allow_outside"] = allow_outside;
   return options;
 }

@@ -19,7 +19,7 @@ struct SolveText {
   std::string backend{backends().front().name};
   std::string rays = "16", sampling = "plain", regions = "64", element_area;
   std::string optimizer, viewpoints = "sa", coverage = "elements", missed_share;
-  std::string clearance = "0", time_limit, close_gap, lattice, heal, crop, memory_limit;
+  std::string clearance = "0", time_limit, close_gap, lattice, heal, crop, aperture, memory_limit;
   std::string checkpoint = "10";
   std::vector<std::string> targets;
   bool one_sided = false, merge_coplanar = false, allow_outside = false, resume = false;
@@ -50,6 +50,7 @@ struct SolveOptions {
   bool merge_coplanar = false;
   double heal = 0;
   std::optional<Box> crop;
+  double aperture = 0;  ///< width below which gaps are closed for a second look; 0: none
   std::vector<std::string> targets;  ///< none: all groups
   bool allow_outside = false;
   bool resume = false;             ///< continue what is in `output`

@@ -53,6 +53,14 @@ std::string solve_tables(const Solution& solution, Guarantee guarantee, const Ru
     text += fmt::format("{:>10} {:>16.4f} {:>22} {:>14.3f}\n", step.k, step.covered_percent,
                         step.evaluations, step.seconds);
   }
+  if (solution.wide != nullptr) {
+    const WideVisibility& wide = solution.wide->visibility;
+    text += fmt::format(
+        "Without what is visible only through {} patches of gaps narrower than {}: {} elements of "
+        "{}, {} regions.\n",
+        wide.gaps.size(), wide.width, count_bits(wide.bits.union_of_all()),
+        count_bits(solution.matrix.bits.union_of_all()), solution.wide->cover.size());
+  }
   if (solution.viewpoints != nullptr) {
     text += viewpoint_tables(*solution.viewpoints, solution.cover.size(), guarantee,
                              seconds.viewpoints);

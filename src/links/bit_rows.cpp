@@ -39,6 +39,14 @@ std::vector<BitRows::Word> BitRows::union_of_all() const {
   return united;
 }
 
+std::vector<std::uint32_t> count_in_columns(const BitRows& bits) {
+  std::vector<std::uint32_t> counts(bits.columns());
+  for (std::size_t row = 0; row < bits.rows(); ++row) {
+    for_each_bit(bits.row(row), [&](std::size_t column) { ++counts[column]; });
+  }
+  return counts;
+}
+
 std::size_t count_bits(std::span<const BitRows::Word> words) {
   std::size_t count = 0;
   for (const BitRows::Word word : words) count += static_cast<std::size_t>(std::popcount(word));

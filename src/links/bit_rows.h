@@ -54,6 +54,8 @@ void for_each_bit(std::span<const BitRows::Word> words, Visit&& visit) {
 }
 
 std::size_t count_bits(std::span<const BitRows::Word> words);
+/// How many rows have each column set.
+std::vector<std::uint32_t> count_in_columns(const BitRows& bits);
 /// Sum of weights[column] over the set bits, in column order.
 double weight_of(std::span<const BitRows::Word> words, std::span<const double> weights);
 

@@ -41,14 +41,6 @@ void make_elements(const Scene& scene, const LinkSet& links, VisibilityMatrix& m
 
 }  // namespace
 
-std::vector<std::uint32_t> VisibilityMatrix::times_visible() const {
-  std::vector<std::uint32_t> times(elements.size());
-  for (std::size_t row = 0; row < bits.rows(); ++row) {
-    for_each_bit(bits.row(row), [&](std::size_t column) { ++times[column]; });
-  }
-  return times;
-}
-
 VisibilityMatrix make_visibility_matrix(const Scene& scene, const ViewingRegion& region,
                                         const LinkSet& links) {
   VisibilityMatrix matrix;

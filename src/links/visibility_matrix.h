@@ -21,7 +21,7 @@ struct VisibilityMatrix {
   BitRows bits;                          ///< rows: regions in the order of ViewingRegion::address
 
   /// How many regions see each element.
-  std::vector<std::uint32_t> times_visible() const;
+  std::vector<std::uint32_t> times_visible() const { return count_in_columns(bits); }
 };
 
 /// Cost: O(links x subtree) + O(regions x elements / 64).

@@ -35,6 +35,7 @@ void Bundle::write(const Solution& solution) const {
   write_visibility(solution.matrix, folder_ / "visibility.mtx");
   write_cover(solution.cover, folder_ / "cover.csv");
   write_proof(solution, folder_ / "cover.proof");
+  write_wide(solution, folder_);
   write_viewpoints(solution, folder_ / "viewpoints.csv");
   write_viewpoint_visibility(solution, folder_ / "viewpoints.mtx");
   write_witnesses(solution, folder_ / "witnesses.csv");

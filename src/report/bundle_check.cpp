@@ -25,10 +25,11 @@ class BundleChecker {
 
   std::vector<BundleClaim> run() {
     check_elements();
-    check_cover();
+    check_cover(bits_, "");
     check_regions();
-    check_bound();
     const Json results = record_.value("results", Json::object());
+    check_bound(results, bits_, "");
+    if (results.contains("wide")) check_wide(results.at("wide"));
     if (results.contains("viewpoints")) {
       std::vector<BundleClaim> more = check_viewpoints(folder_, results, bits_, areas_);
       std::ranges::move(more, std::back_inserter(claims_));
@@ -44,40 +45,68 @@ class BundleChecker {
 
   void check_elements() {
     const CsvTable elements(folder_ / "elements.csv");
-    std::string wrong;
-    if (elements.size() != bits_.columns()) {
-      wrong = fmt::format("{} elements, but {} columns", elements.size(), bits_.columns());
-    }
-    std::vector<std::size_t> seen(bits_.columns(), 0);
-    for (std::size_t row = 0; row < bits_.rows(); ++row) {
-      for_each_bit(bits_.row(row), [&](std::size_t column) { ++seen[column]; });
-    }
-    for (std::size_t i = 0; i < elements.size() && wrong.empty(); ++i) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
       areas_.push_back(elements.number(i, "area"));
-      coverable_area_ += seen[i] > 0 ? areas_.back() : 0;
-      const double times = elements.number(i, "times_visible");
-      if (times != static_cast<double>(seen[i])) {
+    }
+    check_counts(bits_, "");
+  }
+
+  /// `suffix` of the files that the claim is about.
+  void check_counts(const BitRows& bits, const std::string& suffix) {
+    const std::string counts = suffix.empty() ? "times_visible" : "times_visible_wide";
+    const CsvTable elements(folder_ / "elements.csv");
+    std::string wrong;
+    if (elements.size() != bits.columns()) {
+      wrong = fmt::format("{} elements, but {} columns", elements.size(), bits.columns());
+    }
+    const std::vector<std::uint32_t> seen = count_in_columns(bits);
+    for (std::size_t i = 0; i < elements.size() && wrong.empty(); ++i) {
+      const double times = elements.number(i, counts);
+      if (times != seen[i]) {
         wrong = fmt::format("element {}: {} times, but {} regions see it", i + 1, times, seen[i]);
       }
     }
-    claim("elements.csv counts the regions that see each element", wrong);
+    claim("elements.csv counts the regions of visibility" + suffix + ".mtx that see each element",
+          wrong);
   }
 
-  void check_cover() {
+  /// The cover of what is seen where narrow gaps are closed.
+  void check_wide(const Json& results) {
+    const BitRows wide =
+        read_cover_file(folder_ / "visibility-wide.mtx", CoverFormat::kMatrixMarket);
+    std::string wrong;
+    if (wide.rows() != bits_.rows() || wide.columns() != bits_.columns()) {
+      wrong = "its size differs";
+    }
+    for (std::size_t row = 0; row < wide.rows() && wrong.empty(); ++row) {
+      for_each_bit(wide.row(row), [&](std::size_t column) {
+        if (!bits_.test(row, column)) {
+          wrong = fmt::format("region {} sees element {} only there", row + 1, column + 1);
+        }
+      });
+    }
+    claim("visibility-wide.mtx has nothing that visibility.mtx does not have", wrong);
+    check_counts(wide, "-wide");
+    check_cover(wide, "-wide");
+    check_bound(results, wide, "-wide");
+  }
+
+  /// `suffix` of the file names that the claims are about.
+  void check_cover(const BitRows& bits, const std::string& suffix) {
     // Sums of up to 10^9 terms in another order, and a text with 17 digits.
     constexpr double kRounding = 1e-6;
-    const CsvTable cover(folder_ / "cover.csv");
+    const CsvTable cover(folder_ / ("cover" + suffix + ".csv"));
     std::string wrong;
-    if (areas_.size() != bits_.columns()) wrong = "not all areas are known";
+    if (areas_.size() != bits.columns()) wrong = "not all areas are known";
     for (std::size_t i = 0; i < cover.size() && wrong.empty(); ++i) {
       chosen_ = cover.counts(i, "regions");
       for (std::size_t& region : chosen_) {
-        if (region < 1 || region > bits_.rows()) wrong = fmt::format("no region {}", region);
+        if (region < 1 || region > bits.rows()) wrong = fmt::format("no region {}", region);
         --region;
       }
       if (!wrong.empty()) break;
       const double k = cover.number(i, "k"), percent = cover.number(i, "covered_area_percent"),
-                   bound = cover.number(i, "upper_bound_percent"), covered = covered_percent();
+                   bound = cover.number(i, "upper_bound_percent"), covered = covered_percent(bits);
       if (k != static_cast<double>(chosen_.size())) {
         wrong = fmt::format("k = {} with {} regions", k, chosen_.size());
       } else if (std::fabs(percent - covered) > kRounding * 100) {
@@ -86,17 +115,18 @@ class BundleChecker {
         wrong = fmt::format("k = {}: at most {} %, but the regions see {} %", k, bound, covered);
       }
     }
-    claim("cover.csv states what each set of regions sees", wrong);
+    claim("cover" + suffix + ".csv states what each set of regions sees", wrong);
     const std::size_t missing =
-        count_bits(bits_.union_of_all()) - count_bits(bits_.union_of(chosen_));
-    claim("the chosen regions see all that any region sees",
+        count_bits(bits.union_of_all()) - count_bits(bits.union_of(chosen_));
+    claim("the regions of cover" + suffix + ".csv see all that any region sees",
           missing == 0 ? "" : fmt::format("{} elements are missing", missing));
   }
 
-  double covered_percent() const {
-    double covered = 0;
-    for_each_bit(bits_.union_of(chosen_), [&](std::size_t column) { covered += areas_[column]; });
-    return coverable_area_ > 0 ? 100 * covered / coverable_area_ : 100;
+  double covered_percent(const BitRows& bits) const {
+    double covered = 0, coverable = 0;
+    for_each_bit(bits.union_of(chosen_), [&](std::size_t column) { covered += areas_[column]; });
+    for_each_bit(bits.union_of_all(), [&](std::size_t column) { coverable += areas_[column]; });
+    return coverable > 0 ? 100 * covered / coverable : 100;
   }
 
   void check_regions() {
@@ -114,25 +144,25 @@ class BundleChecker {
     claim("regions.csv marks the chosen regions", wrong);
   }
 
-  void check_bound() {
-    const Json results = record_.value("results", Json::object());
+  void check_bound(const Json& results, const BitRows& bits, const std::string& suffix) {
     const auto bound = results.value("regions_lower_bound", std::size_t{0}),
                size = results.value("optimal_regions", std::size_t{0});
     std::string wrong;
     if (size != chosen_.size()) {
-      wrong = fmt::format("run.json has {} regions, cover.csv {}", size, chosen_.size());
+      wrong = fmt::format("run.json has {} regions, cover{}.csv {}", size, suffix, chosen_.size());
     } else if (bound > size) {
       wrong = fmt::format("a lower bound of {} with {} regions", bound, size);
     } else if (results.value("proved", false) != (bound == size)) {
       wrong =
           fmt::format("proved or not does not follow from bound {} and {} regions", bound, size);
     }
-    claim("run.json agrees with cover.csv", wrong);
-    const std::filesystem::path file = folder_ / "cover.proof";
+    claim("run.json agrees with cover" + suffix + ".csv", wrong);
+    const std::filesystem::path file = folder_ / ("cover" + suffix + ".proof");
     if (!std::filesystem::exists(file)) return;
     std::ifstream proof = open_for_check(file);
-    const CoverProofVerdict verdict = check_cover_proof(bits_, proof);
-    claim(fmt::format("cover.proof proves that no {} regions see everything", bound - (bound > 0)),
+    const CoverProofVerdict verdict = check_cover_proof(bits, proof);
+    claim(fmt::format("cover{}.proof proves that no {} regions see everything", suffix,
+                      bound - (bound > 0)),
           !verdict.holds ? fmt::format("line {}: {}", verdict.line, verdict.reason)
           : verdict.lower_bound != bound
               ? fmt::format("it proves {}, run.json states {}", verdict.lower_bound, bound)
@@ -143,7 +173,6 @@ class BundleChecker {
   Json record_;
   BitRows bits_;
   std::vector<double> areas_;
-  double coverable_area_ = 0;
   std::vector<std::size_t> chosen_;  // the last set of cover.csv, from 0
   std::vector<BundleClaim> claims_;
 };

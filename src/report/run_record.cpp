@@ -16,10 +16,36 @@ Json input(const std::filesystem::path& file) {
 }
 
 Json seconds_of(const RunSeconds& seconds) {
-  return {{"visibility", seconds.visibility},
-          {"cover", seconds.cover},
-          {"viewpoints", seconds.viewpoints},
-          {"total", seconds.total}};
+  Json json;
+  json["visibility"] = seconds.visibility;
+  json["cover"] = seconds.cover;
+  if (seconds.wide) json["wide"] = *seconds.wide;
+  json["viewpoints"] = seconds.viewpoints;
+  json["total"] = seconds.total;
+  return json;
+}
+
+std::vector<std::size_t> numbers_of(std::vector<std::size_t> rows) {
+  for (std::size_t& row : rows) ++row;
+  return rows;
+}
+
+/// What is left where gaps narrower than the aperture are closed.
+Json wide_results(const Solution& solution) {
+  const auto& [wide, cover] = *solution.wide;
+  std::size_t narrow_pairs = 0;
+  for (std::size_t row = 0; row < wide.bits.rows(); ++row) {
+    narrow_pairs += count_bits(solution.matrix.bits.row(row)) - count_bits(wide.bits.row(row));
+  }
+  return {{"gaps", wide.gaps.size()},
+          {"gaps_entered", wide.gaps_entered},
+          {"narrow_pairs", narrow_pairs},
+          {"visible_elements", count_bits(wide.bits.union_of_all())},
+          {"optimal_regions", cover.size()},
+          {"chosen", cover.steps.empty() ? std::vector<std::size_t>()
+                                         : numbers_of(cover.steps.back().chosen)},
+          {"regions_lower_bound", cover.lower_bound},
+          {"proved", cover.proved()}};
 }
 
 }  // namespace
@@ -81,14 +107,12 @@ void add_results(Json& record, const Solution& solution, Guarantee guarantee,
   Json statistics = Json::object();
   for (const auto& [what, count] : solution.backend_statistics) statistics[what] = count;
   record["backend_statistics"] = statistics;
-  std::vector<std::size_t> chosen = solution.chosen();
-  for (std::size_t& region : chosen) ++region;
   record["results"] = {{"regions", solution.region.region_count()},
                        {"elements", solution.matrix.elements.size()},
                        {"visible_elements", visible_elements(solution.matrix)},
                        {"links", solution.links.size()},
                        {"optimal_regions", solution.cover.size()},
-                       {"chosen", chosen},
+                       {"chosen", numbers_of(solution.chosen())},
                        {"regions_lower_bound", solution.cover.lower_bound},
                        {"proved", solution.cover.proved()},
                        {"lower_bound", nullptr}};
@@ -111,6 +135,7 @@ void add_results(Json& record, const Solution& solution, Guarantee guarantee,
       results["bound_columns"] = full->bound_is_of_witnesses ? "witnesses" : "elements";
     }
   }
+  if (solution.wide != nullptr) record["results"]["wide"] = wide_results(solution);
   Json& measured = record["measured"];
   // Where a time limit strikes depends on the machine.
   measured["time_limit_reached"] = solution.time_limit_reached();
@@ -129,6 +154,9 @@ Json summary_line(const Json& record) {
   for (const char* key : {"regions", "elements", "visible_elements", "links", "optimal_regions",
                           "proved", "lower_bound"}) {
     line[key] = results.at(key);
+  }
+  if (results.contains("wide")) {
+    line["optimal_regions_wide"] = results.at("wide").at("optimal_regions");
   }
   line["viewpoints"] = results.value("viewpoints", Json());
   if (results.contains("imaged_percent")) line["imaged_percent"] = results.at("imaged_percent");

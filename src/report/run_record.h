@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "links/visibility_backend.h"
@@ -16,6 +17,7 @@ using Json = nlohmann::ordered_json;
 struct RunSeconds {
   double visibility = 0;
   double cover = 0;
+  std::optional<double> wide;  ///< for what narrow gaps do not show, if asked for
   double viewpoints = 0;
   double total = 0;
 };

@@ -78,6 +78,16 @@ void write_proof_of(const BitRows& matrix, const CoverProof& proof,
   out.commit();
 }
 
+/// Without a proof there is no file.
+void write_proof_or_none(const BitRows& matrix, const RegionCover& cover,
+                         const std::filesystem::path& file) {
+  if (cover.proof == nullptr) {
+    std::filesystem::remove(file);
+  } else {
+    write_proof_of(matrix, *cover.proof, file);
+  }
+}
+
 }  // namespace
 
 void write_regions(const Solution& solution, const std::filesystem::path& file) {
@@ -145,10 +155,15 @@ void write_elements(const Solution& solution, const std::filesystem::path& file)
   std::vector<std::string> groups;
   for (const std::string& group : solution.scene.groups) groups.push_back(csv_field(group));
   const std::vector<std::uint32_t> times_visible = solution.matrix.times_visible();
+  std::vector<std::uint32_t> times_visible_wide;
+  if (solution.wide != nullptr) {
+    times_visible_wide = count_in_columns(solution.wide->visibility.bits);
+  }
 
   const std::size_t corners = most_corners(polygons);
   FileWriter out(file);
-  out << "element,surface,group,level,path,cx,cy,cz,area,times_visible";
+  out << "element,surface,group,level,path,cx,cy,cz,area,times_visible"
+      << (solution.wide != nullptr ? ",times_visible_wide" : "");
   write_corner_titles(out, corners);
   out << '\n';
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -157,6 +172,7 @@ void write_elements(const Solution& solution, const std::filesystem::path& file)
         << ',';
     write_place(out, elements[i].level(), elements[i].path(), centroid(polygons[i]));
     out << ',' << solution.matrix.areas[i] << ',' << times_visible[i];
+    if (solution.wide != nullptr) out << ',' << times_visible_wide[i];
     write_corners(out, polygons[i], corners);
     out << '\n';
   }
@@ -165,7 +181,7 @@ void write_elements(const Solution& solution, const std::filesystem::path& file)
 
 void write_links(const Solution& solution, const std::filesystem::path& file) {
   FileWriter out(file);
-  out << "region,element,kind,occluders\n";
+  out << "region,element,kind,occluders" << (solution.wide != nullptr ? ",narrow\n" : "\n");
   std::vector<std::uint32_t> surfaces;
   for (std::size_t i = 0; i < solution.links.size(); ++i) {
     const Link link = solution.links[i];
@@ -181,6 +197,11 @@ void write_links(const Solution& solution, const std::filesystem::path& file) {
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       if (s > 0) out << ' ';
       out << surfaces[s];
+    }
+    if (solution.wide != nullptr) {
+      const bool narrow =
+          is_narrow(link, solution.region, solution.matrix, solution.wide->visibility);
+      out << ',' << (narrow ? '1' : '0');
     }
     out << '\n';
   }
@@ -209,11 +230,32 @@ void write_cover(const RegionCover& cover, const std::filesystem::path& file) {
 }
 
 void write_proof(const Solution& solution, const std::filesystem::path& file) {
-  if (solution.cover.proof == nullptr) {
-    std::filesystem::remove(file);
+  write_proof_or_none(solution.matrix.bits, solution.cover, file);
+}
+
+void write_wide(const Solution& solution, const std::filesystem::path& folder) {
+  const auto gaps = folder / "gaps.csv", matrix = folder / "visibility-wide.mtx",
+             cover = folder / "cover-wide.csv", proof = folder / "cover-wide.proof";
+  if (solution.wide == nullptr) {
+    for (const auto& file : {gaps, matrix, cover, proof}) std::filesystem::remove(file);
     return;
   }
-  write_proof_of(solution.matrix.bits, *solution.cover.proof, file);
+  const auto& [visibility, wide_cover] = *solution.wide;
+  constexpr std::size_t kCorners = 3;
+  FileWriter out(gaps);
+  out << "gap,surface,other,width";
+  write_corner_titles(out, kCorners);
+  out << '\n';
+  for (std::size_t i = 0; i < visibility.gaps.size(); ++i) {
+    const NarrowGap& gap = visibility.gaps[i];
+    out << i + 1 << ',' << gap.surface.value + 1 << ',' << gap.other.value + 1 << ',' << gap.width;
+    write_corners(out, gap.patch, kCorners);
+    out << '\n';
+  }
+  out.commit();
+  write_bits(visibility.bits, "as visibility.mtx, with the gaps of gaps.csv closed", matrix);
+  write_cover(wide_cover, cover);
+  write_proof_or_none(visibility.bits, wide_cover, proof);
 }
 
 void write_viewpoints(const Solution& solution, const std::filesystem::path& file) {

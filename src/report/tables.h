@@ -26,11 +26,14 @@ void write_regions(const Solution& solution, const std::filesystem::path& file);
 /// earlier run.
 void write_faces(const Solution& solution, const std::filesystem::path& file);
 
-/// `element,surface,group,level,path,cx,cy,cz,area,times_visible,x0,y0,z0,...`
+/// `element,surface,group,level,path,cx,cy,cz,area,times_visible,x0,y0,z0,...`; with an aperture
+/// `times_visible_wide` after `times_visible`: the regions that see it with the gaps closed, too.
 void write_elements(const Solution& solution, const std::filesystem::path& file);
 
 /// `region,element,kind,occluders`: both nodes as `polygon:level:path`, since a link may join inner
-/// nodes; the occluders are surface numbers, ascending, separated by spaces.
+/// nodes; the occluders are surface numbers, ascending, separated by spaces. With an
+/// aperture a last column `narrow`: 1 where no region and element that the link joins see each
+/// other with the gaps closed, too.
 void write_links(const Solution& solution, const std::filesystem::path& file);
 
 /// Matrix Market, coordinate pattern general, row by row.
@@ -43,6 +46,12 @@ void write_cover(const RegionCover& cover, const std::filesystem::path& file);
 /// What `verify` and scripts/check-cover-proof check against `visibility.mtx`. Where the method
 /// gave no proof there is no file, nor one of an earlier run.
 void write_proof(const Solution& solution, const std::filesystem::path& file);
+
+/// What an aperture adds: `gaps.csv`, `gap,surface,other,width,x0,y0,z0,...,z2`, the patches that
+/// close the gaps; `visibility-wide.mtx`, what is seen with them, rows and columns as in
+/// visibility.mtx; `cover-wide.csv` and `cover-wide.proof`, the cover for that. No files, nor those
+/// of an earlier run, without one.
+void write_wide(const Solution& solution, const std::filesystem::path& folder);
 
 /// `viewpoint,x,y,z,region,covered_area_percent,seconds`: in the order in which they add most area,
 /// with the share of the visible area that is seen so far, and when in the search the viewpoint was
