@@ -155,18 +155,23 @@ BENCHMARK(union_of_ten_rows)->ArgName("merged")->Arg(0)->Arg(1)->Unit(benchmark:
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<reference::HardInstance> instances = reference::hard_instances();
+  const std::vector<reference::HardInstance> instances = reference::hard_instances(),
+                                             library = reference::library_instances();
+  const auto add = [](const std::string& what, const std::string& method,
+                      const reference::HardInstance& hard) {
+    benchmark::RegisterBenchmark(
+        (what + "/" + method + "/" + hard.name).c_str(),
+        [method, &hard](benchmark::State& state) { reach(state, method, hard); })
+        ->Iterations(kSeeds)
+        ->Unit(benchmark::kSecond)
+        ->UseManualTime();
+  };
   for (const CoverMethodEntry& method : cover_methods()) {
     for (const reference::HardInstance& hard : instances) {
-      const std::string name = "reach/" + std::string(method.name) + "/" + hard.name;
-      benchmark::RegisterBenchmark(
-          name.c_str(),
-          [&](benchmark::State& state) { reach(state, std::string(method.name), hard); })
-          ->Iterations(kSeeds)
-          ->Unit(benchmark::kSecond)
-          ->UseManualTime();
+      add("reach", std::string(method.name), hard);
     }
   }
+  for (const reference::HardInstance& hard : library) add("library", "local", hard);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

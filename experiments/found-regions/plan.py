@@ -1,4 +1,4 @@
-"""A region that nobody drew, and what hairline cracks change."""
+"""A region that nobody drew, and what cracks and narrow gaps change."""
 from lab import jobs as lab
 from lab import planning
 
@@ -20,13 +20,13 @@ def inspections(config, notes):
 
 
 def runs(config, notes):
-    """{(scene, whether cracks are closed): run}, in one region."""
+    """{(scene, whether cracks are closed): run}, in one region; as the scene is, with a second look without narrow gaps."""
     made = {}
     for name, (scene, options) in present(config, notes).items():
-        heal = options["heal"]
-        region = lab.found_region(scene, **options)
-        for healed in (False, True):
-            made[name, healed] = lab.solve(region, regions=config["regions"], heal=heal if healed else None, viewpoints="none")
+        aperture = options["aperture"]
+        region = lab.found_region(scene, **{key: value for key, value in options.items() if key != "aperture"})
+        made[name, False] = lab.solve(region, regions=config["regions"], aperture=aperture, viewpoints="none")
+        made[name, True] = lab.solve(region, regions=config["regions"], heal=options["heal"], viewpoints="none")
     return made
 
 

@@ -134,4 +134,12 @@ std::vector<HardInstance> hard_instances() {
   return instances;
 }
 
+std::vector<HardInstance> library_instances() {
+  std::vector<HardInstance> instances;
+  for (const int points : {10, 12, 13}) instances.push_back(bipartitions(points));
+  for (const int dimension : {5, 6}) instances.push_back(affine_lines(dimension));
+  for (const int dimension : {9, 10, 11}) instances.push_back(cube_cycles(dimension));
+  return instances;
+}
+
 }  // namespace viewcover::reference

@@ -44,4 +44,8 @@ HardInstance greedy_trap(int levels, std::size_t copies);
 /// The ones that methods are measured with.
 std::vector<HardInstance> hard_instances();
 
+/// The larger ones of the same kinds, under the names clr, STS and cyc in the OR-Library and among
+/// the Steiner triple systems.
+std::vector<HardInstance> library_instances();
+
 }  // namespace viewcover::reference
