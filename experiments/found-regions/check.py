@@ -13,7 +13,7 @@ def check(rows, config, require):
         region = rows[run.needs[0].key]["result"]
         require(region["area"] > 0 and region["parts"] == row["result"]["regions"], f"{run.key}: not the regions that were found")
         repairs = row["bundle"]["record"]["scene"]["repairs"]
-        require(healed or repairs["healed_vertices"] + repairs["healed_edges"] == 0, f"{run.key}: healed without being asked")
+        require(healed or repairs["healed_vertices"] + repairs["healed_edges"] + repairs["healed_faces"] == 0, f"{run.key}: healed without being asked")
         if not healed:
             wide = row["bundle"]["record"]["results"]["wide"]
             require(wide["proved"], f"{run.key}: the optimum without narrow gaps is not proved")

@@ -15,9 +15,9 @@ def draw(rows, config, folder, work):
         cracks, a, b = rows[inspections[name].key]["result"]["cracks"], open_run["result"], healed_run["result"]
         wide = open_run["bundle"]["record"]["results"]["wide"]
         repairs = healed_run["bundle"]["record"]["scene"]["repairs"]
-        lines.append([name, cracks["vertices_beside_edges"] + cracks["unmerged_vertices"], tables.number(cracks["widest"]),
+        lines.append([name, cracks["vertices_beside_edges"] + cracks["vertices_beside_faces"] + cracks["unmerged_vertices"], tables.number(cracks["widest"]),
                       tables.number(region["result"]["area"]), region["result"]["parts"], region["result"]["holes"], a["visible_elements"], a["links"],
-                      a["optimal_regions"], repairs["healed_vertices"] + repairs["healed_edges"], b["visible_elements"], b["links"], b["optimal_regions"],
+                      a["optimal_regions"], repairs["healed_vertices"] + repairs["healed_edges"] + repairs["healed_faces"], b["visible_elements"], b["links"], b["optimal_regions"],
                       config["scenes"][name]["aperture"], wide["gaps"], wide["narrow_pairs"], wide["visible_elements"], wide["optimal_regions"]])
     tables.write(folder / "found_regions", f"{config['regions']} region a part of the free space that was found, exact.",
                  ["scene", "cracks", "widest", "free area", "parts", "holes", "elements seen", "links", "optimal regions", "places closed", "elements seen ",

@@ -47,24 +47,24 @@ std::string_view units_guess(const Box& bounds) {
 Json as_json(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 Json cracks_of(const PolygonSoup& soup, double width) {
-  Cracks cracks = find_cracks(soup, width);
-  const auto wider = [](const Crack& a, const Crack& b) { return a.width > b.width; };
-  const double widest_crack =
-      cracks.beside_edges.empty()
-          ? 0
-          : std::ranges::max_element(cracks.beside_edges, {}, &Crack::width)->width;
-  std::ranges::stable_sort(cracks.beside_edges, wider);
-  Json listed = Json::array();
+  const Cracks cracks = find_cracks(soup, width);
+  std::vector<VertexBesideFace> all = cracks.beside_faces;
   for (const Crack& crack : cracks.beside_edges) {
+    all.push_back({crack.vertex, crack.face, crack.width});
+  }
+  std::ranges::stable_sort(all, std::greater(), &VertexBesideFace::distance);
+  Json listed = Json::array();
+  for (const VertexBesideFace& crack : all) {
     if (listed.size() == kListed) break;
     listed.push_back({{"place", as_json(soup.vertices[crack.vertex])},
-                      {"width", crack.width},
+                      {"width", crack.distance},
                       {"face", soup.number_in_file(crack.face) + 1},
                       {"group", soup.groups[soup.face_groups[crack.face].value]}});
   }
   return {{"looked_for_up_to", width},
           {"vertices_beside_edges", cracks.beside_edges.size()},
-          {"widest", widest_crack},
+          {"vertices_beside_faces", cracks.beside_faces.size()},
+          {"widest", all.empty() ? 0 : all.front().distance},
           {"unmerged_vertices", cracks.apart.size()},
           {"vertices_on_edges", cracks.junctions},
           {"listed", listed}};

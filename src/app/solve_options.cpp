@@ -84,10 +84,11 @@ void SolveText::add_to(CLI::App& command) {
       "S");
   option("--lattice", lattice,
          "round coordinates to multiples of 2^-E (default: 24 bits for the largest)", "E");
-  option(
-      "--heal", heal,
-      "close cracks up to this width: vertices that near to an edge or a vertex are joined to it",
-      "W");
+  option("--heal", heal,
+         "close cracks up to this width: vertices that near to a vertex, an edge or the inside of "
+         "a face "
+         "are joined to it",
+         "W");
   option("--crop", crop, kCropHelp, kCropType);
   option(
       "--aperture", aperture,

@@ -24,7 +24,9 @@ class Descent {
 
   void run() {
     const ConvexPolygon& polygon = from_.planar().scene()[surface_].polygon;
-    occluders_ = from_.occluders(surface_, from_.view_of(surface_, polygon));
+    auto occluders = from_.occluders(surface_, from_.view_of(surface_, polygon));
+    if (!occluders) return;
+    occluders_ = *std::move(occluders);
     borders_.resize(occluders_.size());
     std::vector<std::size_t> all(occluders_.size());
     std::iota(all.begin(), all.end(), 0);

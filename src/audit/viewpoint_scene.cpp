@@ -62,8 +62,8 @@ ViewpointScene::ViewpointScene(const PlanarScene& planar, const Point& viewpoint
              static_cast<mp_bitcnt_t>(unit_exponent(planar.frame()) - unit_exponent(frame_)));
 }
 
-std::vector<ViewedOccluder> ViewpointScene::occluders(SurfaceId id,
-                                                      const ViewedPolygon& view) const {
+std::optional<std::vector<ViewedOccluder>> ViewpointScene::occluders(
+    SurfaceId id, const ViewedPolygon& view) const {
   const ClusterTree& clusters = planar_.clusters();
   const Scene& scene = planar_.scene();
   const ConvexPolygon& polygon = scene[id].polygon;
@@ -73,6 +73,17 @@ std::vector<ViewedOccluder> ViewpointScene::occluders(SurfaceId id,
   between.extend(viewpoint_);
   const auto lies_beyond = [&](const Point& corner) { return plane.side(corner) * side(id) <= 0; };
   std::vector<ViewedOccluder> found;
+  // Does the surface hide everything? If not, it is found, or in nobody's way.
+  const auto hides = [&](SurfaceId place) {
+    const ConvexPolygon& corners = scene[place].polygon;
+    if (side(place) == 0 || std::ranges::all_of(corners, lies_beyond)) return false;
+    const ViewedOccluder occluder{place, view_of(place, corners)};
+    const Blocks how = blocks(occluder, polygon, view);
+    if (how == Blocks::kPart) found.push_back(occluder);
+    return how == Blocks::kEverything;
+  };
+  if (hides(SurfaceId(last_hider_.load(std::memory_order_relaxed)))) return std::nullopt;
+  found.clear();
   const auto nodes = clusters.nodes();
   std::vector<std::uint32_t> open = {0};
   while (!open.empty()) {
@@ -86,12 +97,23 @@ std::vector<ViewedOccluder> ViewpointScene::occluders(SurfaceId id,
       continue;
     }
     const SurfaceId place = clusters.surface(OccluderId(node.first));
-    const ConvexPolygon& corners = scene[place].polygon;
-    if (side(place) == 0 || std::ranges::all_of(corners, lies_beyond)) continue;
-    const ViewedOccluder occluder{place, view_of(place, corners)};
-    if (blocks(occluder, polygon, view) != Blocks::kNothing) found.push_back(occluder);
+    if (hides(place)) {
+      last_hider_.store(place.value, std::memory_order_relaxed);
+      return std::nullopt;
+    }
   }
-  return found;
+  // Shadows that leave little are subtracted first.
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ConvexPolygon& corners = scene[found[i].id].polygon;
+    const double distance = (corner_mean(corners) - viewpoint_).squaredNorm();
+    order.emplace_back(-area(corners) / distance, i);
+  }
+  std::ranges::sort(order);
+  std::vector<ViewedOccluder> sorted;
+  sorted.reserve(found.size());
+  for (const auto& [size, i] : order) sorted.push_back(std::move(found[i]));
+  return sorted;
 }
 
 Blocks ViewpointScene::blocks(const ViewedOccluder& occluder, std::span<const Point> part,

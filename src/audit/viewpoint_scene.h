@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,7 +64,7 @@ enum class Blocks {
   kEverything,  ///< it blocks all
 };
 
-/// A scene from one viewpoint. Borrows. Immutable, safe to share.
+/// A scene from one viewpoint. Borrows. Safe to share: all that changes is what is tried first.
 class ViewpointScene {
  public:
   ViewpointScene(const PlanarScene& planar, const Point& viewpoint);
@@ -75,10 +77,12 @@ class ViewpointScene {
     return {viewpoint_, side(id), part, reach_};
   }
 
-  /// The surfaces that may block sight lines to a surface, none that certainly do not: exact
+  /// The surfaces that may block sight lines to a surface, none that certainly do not, those that
+  /// look largest from the viewpoint first; nothing if one alone blocks all of them. Exact
   /// predicates decide, and boxes with a margin that rounding cannot use up. Requires a viewpoint
   /// off its plane. Cost: logarithmic in the scene where it is sparse.
-  std::vector<ViewedOccluder> occluders(SurfaceId id, const ViewedPolygon& view) const;
+  std::optional<std::vector<ViewedOccluder>> occluders(SurfaceId id,
+                                                       const ViewedPolygon& view) const;
   /// kNothing and kEverything are exact. `part` lies in the surface's plane and `view` is its view.
   Blocks blocks(const ViewedOccluder& occluder, std::span<const Point> part,
                 const ViewedPolygon& view) const;
@@ -99,6 +103,8 @@ class ViewpointScene {
   IntegerFrame frame_;   // the scene's, finer where the viewpoint needs it
   IntegerPoint origin_;  // the viewpoint
   BigInteger finer_;     // units of this frame in one of the scene's
+  // The last surface that hid another one whole: in a room the same wall hides all that is beyond.
+  mutable std::atomic<std::uint32_t> last_hider_ = 0;
 };
 
 }  // namespace viewcover

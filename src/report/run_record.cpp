@@ -61,6 +61,7 @@ Json repairs_of(const Scene& scene) {
           {"largest_move", repairs.largest_move},
           {"healed_vertices", repairs.healing.moved},
           {"healed_edges", repairs.healing.inserted},
+          {"healed_faces", repairs.healing.bent},
           {"largest_healing_move", repairs.healing.largest_move},
           {"cropped_faces", repairs.cropped_faces}};
 }

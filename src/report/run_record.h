@@ -17,9 +17,9 @@ using Json = nlohmann::ordered_json;
 struct RunSeconds {
   double visibility = 0;
   double cover = 0;
-  std::optional<double> wide;  ///< for what narrow gaps do not show, if asked for
   double viewpoints = 0;
   double total = 0;
+  std::optional<double> wide = {};  ///< for what narrow gaps do not show, if asked for
 };
 
 /// What run.json says of a run before it starts: program, inputs with their SHA-256, seed, options

@@ -39,6 +39,7 @@ using PointLoop = std::vector<Point>;
 struct IndexedLoops {
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::array<std::uint32_t, 2>> segments{};  // inside, no part of the boundary
 };
 
 IndexedLoops indexed(std::span<const PointLoop> loops) {
@@ -90,6 +91,9 @@ class ProjectedLoops {
     if (triangulation_.dimension() != 2) return false;
     try {
       for (const auto& [from, to] : loops_.edges) {
+        triangulation_.insert_constraint(vertices_[from], vertices_[to]);
+      }
+      for (const auto& [from, to] : loops_.segments) {
         triangulation_.insert_constraint(vertices_[from], vertices_[to]);
       }
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
@@ -266,6 +270,36 @@ ConvexParts convex_parts(std::span<const PointLoop> loops) {
     return *std::move(parts);
   }
   return {FaceKind::kCrossing, {}};
+}
+
+std::vector<std::array<Point, 3>> triangles_through(
+    std::span<const Point> loop, std::span<const Point> points,
+    std::span<const std::array<Point, 2>> segments) {
+  const std::array loops = {without_straight_corners(loop)};
+  IndexedLoops indices = indexed(loops);
+  indices.points.insert(indices.points.end(), points.begin(), points.end());
+  const auto number = [&](const Point& point) {
+    return static_cast<std::uint32_t>(std::ranges::find(indices.points, point) -
+                                      indices.points.begin());
+  };
+  for (const auto& [from, to] : segments) {
+    // Not from corners that are left out as straight.
+    const auto ends = std::array{number(from), number(to)};
+    if (std::ranges::max(ends) < indices.points.size()) indices.segments.push_back(ends);
+  }
+  const int axis = axes_in_order(loop).front();
+  ProjectedLoops projected(indices, axis);
+  if (!projected.triangulate()) return {};
+  const Exact area = twice_area(loops.front(), axis);
+  Exact sum = 0;
+  std::vector<std::array<Point, 3>> triangles;
+  for (const auto& [a, b, c] : projected.triangles()) {
+    triangles.push_back({indices.points[a], indices.points[b], indices.points[c]});
+    if (area < 0) std::swap(triangles.back()[1], triangles.back()[2]);
+    sum += twice_area(triangles.back(), axis);
+  }
+  if (sum != area) return {};
+  return triangles;
 }
 
 }  // namespace viewcover

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -47,5 +48,12 @@ ConvexParts convex_parts(std::span<const Point> loop);
 /// from where the first is walked counter-clockwise. Loops that do not lie exactly in the plane of
 /// the first, or that cross each other: kCrossing.
 ConvexParts convex_parts(std::span<const std::vector<Point>> loops);
+
+/// Triangles of a face, oriented like it, that have `points` beside its inside as vertices and
+/// `segments` between them and corners as edges. None if there are no such triangles in the
+/// projection along the largest component of the area vector.
+std::vector<std::array<Point, 3>> triangles_through(std::span<const Point> loop,
+                                                    std::span<const Point> points,
+                                                    std::span<const std::array<Point, 2>> segments);
 
 }  // namespace viewcover

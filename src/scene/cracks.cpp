@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <boost/container_hash/hash.hpp>
+#include <cmath>
 #include <tuple>
 #include <unordered_map>
 
 #include "scene/convex_parts.h"
+#include "scene/convex_polygon.h"
 #include "scene/predicates.h"
 
 namespace viewcover {
@@ -24,18 +26,6 @@ GrownBox grown_box(const Point& a, const Point& b, double margin, const Thing& t
   const Point least = a.cwiseMin(b) - Point::Constant(margin),
               most = a.cwiseMax(b) + Point::Constant(margin);
   return {CGAL::Bbox_3(least.x(), least.y(), least.z(), most.x(), most.y(), most.z()), thing};
-}
-
-/// For each vertex the first one at the same place.
-std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices) {
-  std::unordered_map<std::array<double, 3>, std::uint32_t, boost::hash<std::array<double, 3>>>
-      places;
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const Point& v = vertices[i];
-    first.push_back(places.try_emplace({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}, i).first->second);
-  }
-  return first;
 }
 
 class CrackFinder {
@@ -69,6 +59,30 @@ class CrackFinder {
         });
     std::ranges::sort(found, {},
                       [](const NearVertices& near) { return std::pair(near.first, near.second); });
+    return found;
+  }
+
+  /// By face and vertex.
+  std::vector<VertexBesideFace> beside_faces() {
+    std::vector<GrownBox> faces;
+    for (std::uint32_t face = 0; face < soup_.faces.size(); ++face) {
+      Box box;
+      for (const std::uint32_t corner : soup_.faces[face]) box.extend(soup_.vertices[corner]);
+      faces.push_back(grown_box(box.min(), box.max(), width_ / 2, {face, 0}));
+    }
+    std::vector<VertexBesideFace> found;
+    CGAL::box_intersection_d(
+        vertices_.begin(), vertices_.end(), faces.begin(), faces.end(),
+        [&](const GrownBox& vertex, const GrownBox& face) {
+          const auto distance =
+              distance_from_inside(soup_, vertex.info().number, face.info().face, width_);
+          if (distance && *distance > 0) {
+            found.push_back({vertex.info().number, face.info().face, *distance});
+          }
+        });
+    std::ranges::sort(found, {}, [](const VertexBesideFace& beside) {
+      return std::pair(beside.face, beside.vertex);
+    });
     return found;
   }
 
@@ -115,69 +129,54 @@ class CrackFinder {
   std::vector<GrownBox> vertices_, edges_;
 };
 
-/// Every vertex goes to the earliest one that is near, if that has not gone to another.
-void move_together(PolygonSoup& soup, std::span<const NearVertices> apart, Healing& healing) {
-  const std::vector<std::uint32_t> first = first_at_place(soup.vertices);
-  std::vector<std::uint32_t> target(soup.vertices.size());
-  for (std::uint32_t i = 0; i < target.size(); ++i) target[i] = i;
-  for (const NearVertices& near : apart) {
-    if (target[near.first] != near.first || target[near.second] != near.second) continue;
-    target[near.second] = near.first;
-    healing.largest_move = std::max(healing.largest_move, near.distance);
-  }
-  const std::vector<Point> places = soup.vertices;
-  for (std::uint32_t i = 0; i < target.size(); ++i) {
-    const std::uint32_t to = target[first[i]];
-    if (to == first[i]) continue;
-    soup.vertices[i] = places[to];
-    ++healing.moved;
-  }
-}
-
-bool crosses_itself(const PolygonSoup& soup, const PolygonSoup::Face& face) {
-  std::vector<Point> loop;
-  for (const std::uint32_t corner : face) loop.push_back(soup.vertices[corner]);
-  return convex_parts(without_straight_corners(loop)).kind == FaceKind::kCrossing;
-}
-
-/// `cracks` are beside edges of one face. A vertex may be beside two of them, such as those of a
-/// bridge to a hole. A thin face that the new corners would make cross itself stays as it is.
-void insert_corners(PolygonSoup& soup, std::span<const Crack> cracks, Healing& healing) {
-  PolygonSoup::Face& face = soup.faces[cracks.front().face];
-  PolygonSoup::Face healed = face;
-  std::size_t inserted = 0;
-  // From the last: corners before stay where they are.
-  for (auto crack = cracks.rbegin(); crack != cracks.rend(); ++crack) {
-    if (std::ranges::find(face, crack->vertex) != face.end()) continue;
-    healed.insert(healed.begin() + crack->edge + 1, crack->vertex);
-    ++inserted;
-  }
-  if (crosses_itself(soup, healed) && !crosses_itself(soup, face)) return;
-  face = std::move(healed);
-  healing.inserted += inserted;
-}
-
 }  // namespace
+
+std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices) {
+  std::unordered_map<std::array<double, 3>, std::uint32_t, boost::hash<std::array<double, 3>>>
+      places;
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    const Point& v = vertices[i];
+    first.push_back(places.try_emplace({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}, i).first->second);
+  }
+  return first;
+}
+
+std::optional<double> distance_from_inside(const PolygonSoup& soup, std::uint32_t vertex,
+                                           std::uint32_t face, double width) {
+  const Point& x = soup.vertices[vertex];
+  std::vector<Point> loop;
+  for (const std::uint32_t corner : soup.faces[face]) {
+    if (soup.vertices[corner] == x) return std::nullopt;
+    loop.push_back(soup.vertices[corner]);
+  }
+  loop = without_straight_corners(loop);
+  if (loop.size() < 3 || !is_planar(loop)) return std::nullopt;
+  const Point normal = area_vector(loop).normalized();
+  const double height = normal.dot(x - loop[0]);
+  if (std::fabs(height) > width) return std::nullopt;
+  const Point foot = x - height * normal;
+  const int axis = projection_axis(loop), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  bool is_inside = false;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Point &a = loop[k], &b = loop[(k + 1) % loop.size()];
+    const double along = std::clamp((b - a).dot(foot - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    if ((a + along * (b - a) - foot).norm() <= width) return std::nullopt;
+    // Crossings of a ray along u.
+    if ((a[v] > foot[v]) == (b[v] > foot[v])) continue;
+    if (a[u] + (foot[v] - a[v]) / (b[v] - a[v]) * (b[u] - a[u]) > foot[u]) is_inside = !is_inside;
+  }
+  if (!is_inside) return std::nullopt;
+  return orientation(loop[0], loop[1], loop[2], x) == 0 ? 0 : std::fabs(height);
+}
 
 Cracks find_cracks(const PolygonSoup& soup, double width) {
   CrackFinder finder(soup, width);
   Cracks cracks;
   cracks.apart = finder.apart();
   finder.find_beside_edges(cracks);
+  cracks.beside_faces = finder.beside_faces();
   return cracks;
-}
-
-Healing heal(PolygonSoup& soup, double width) {
-  Healing healing;
-  move_together(soup, find_cracks(soup, width).apart, healing);
-  const std::vector<Crack> cracks = find_cracks(soup, width).beside_edges;
-  for (auto begin = cracks.begin(); begin != cracks.end();) {
-    const auto end = std::find_if(begin, cracks.end(),
-                                  [&](const Crack& crack) { return crack.face != begin->face; });
-    insert_corners(soup, {begin, end}, healing);
-    begin = end;
-  }
-  return healing;
 }
 
 }  // namespace viewcover

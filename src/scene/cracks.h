@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/polygon_soup.h"
@@ -23,31 +24,35 @@ struct NearVertices {
   double distance = 0;
 };
 
+/// A vertex beside the inside of a face, farther than the width from its edges: a table leg that
+/// ends a little above the floor.
+struct VertexBesideFace {
+  std::uint32_t vertex = 0, face = 0;  ///< of the soup
+  double distance = 0;                 ///< from the face's plane, more than 0
+};
+
 /// What does not close in a soup, though it nearly does.
 struct Cracks {
   std::vector<Crack> beside_edges;  ///< by face, edge and place along it
   std::vector<NearVertices>
-      apart;                  ///< by vertices; of several vertices at one place the first only
+      apart;  ///< by vertices; of several vertices at one place the first only
+  std::vector<VertexBesideFace> beside_faces;  ///< by face and vertex
   std::size_t junctions = 0;  ///< vertices exactly on an edge of another face: closed
 };
 
-/// Vertices at most `width` from an edge, farther than that from its ends, or from another vertex.
-/// Distances are rounded; whether a vertex lies on an edge is decided exactly.
+/// For each vertex the first one at the same place.
+std::vector<std::uint32_t> first_at_place(const std::vector<Point>& vertices);
+
+/// Distance of a vertex from a planar face that it is beside, at most `width` from its inside and
+/// farther than that from its edges; exactly 0 in its plane.
+std::optional<double> distance_from_inside(const PolygonSoup& soup, std::uint32_t vertex,
+                                           std::uint32_t face, double width);
+
+/// Vertices at most `width` from an edge, farther than that from its ends, from the inside of a
+/// planar face, farther than that from its edges, or from another vertex.
+/// Distances are rounded; whether a vertex lies on an edge or in a plane is decided
+/// exactly.
 /// Cost: O(n log n) for edges that are mostly far apart (boxes that meet are found by sweeping).
 Cracks find_cracks(const PolygonSoup& soup, double width);
-
-/// What `heal` did.
-struct Healing {
-  std::size_t moved = 0;     ///< vertices that moved to another one
-  std::size_t inserted = 0;  ///< vertices that became corners of a face beside them
-  double largest_move = 0;   ///< at most `width`
-};
-
-/// Closes cracks of at most `width`: a vertex near an earlier one moves to it, and a vertex beside
-/// an edge becomes a corner there, so that the edge goes through it exactly. Nothing moves farther
-/// than `width`; faces with a new corner may no longer be planar and are triangulated when they are
-/// made convex (scene/convex_faces.h). Gaps between a vertex and the inside of a face stay. Cost:
-/// as find_cracks, twice.
-Healing heal(PolygonSoup& soup, double width);
 
 }  // namespace viewcover

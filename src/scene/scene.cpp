@@ -99,6 +99,7 @@ std::string Repairs::summary() const {
       {merged_surfaces, counted(merged_surfaces, "surface", "merged into a neighbour")},
       {healing.moved, counted(healing.moved, "place", "of a vertex moved to another")},
       {healing.inserted, counted(healing.inserted, "corner", "inserted in an edge")},
+      {healing.bent, counted(healing.bent, "corner", "inserted inside a face")},
   };
   std::string line;
   for (const auto& [count, text] : items) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/convex_polygon.h"
-#include "scene/cracks.h"
+#include "scene/heal.h"
 #include "scene/lattice.h"
 #include "scene/polygon_soup.h"
 #include "scene/types.h"
@@ -37,7 +37,7 @@ struct Repairs {
 
   bool any() const {
     return cropped_faces + degenerate_faces + duplicate_faces + split_faces + triangulated_faces +
-               healing.moved + healing.inserted >
+               healing.moved + healing.inserted + healing.bent >
            0;
   }
   /// One line for people, such as "2 degenerate faces dropped, 80 faces triangulated".
