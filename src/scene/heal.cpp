@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -66,7 +65,7 @@ class FaceBender {
   void run(Healing& healing) {
     const std::vector<VertexBesideFace> beside = find_cracks(soup_, width_).beside_faces;
     if (beside.empty()) return;
-    find_neighbours(beside);
+    find_neighbours();
     std::map<std::uint32_t, std::vector<PolygonSoup::Face>> triangles;
     for (auto begin = beside.begin(); begin != beside.end();) {
       const auto end = std::find_if(begin, beside.end(), [&](const VertexBesideFace& other) {
@@ -80,17 +79,20 @@ class FaceBender {
   }
 
  private:
-  /// Edges of other faces with an end beside a face are to be edges of its triangles.
-  void find_neighbours(std::span<const VertexBesideFace> beside) {
-    for (const VertexBesideFace& vertex : beside) neighbours_[vertex.vertex];
+  /// Edges of other faces that lie beside a face with both ends are to be edges of its triangles.
+  void find_neighbours() {
+    neighbours_.resize(soup_.vertices.size());
     for (const PolygonSoup::Face& face : soup_.faces) {
       for (std::size_t k = 0; k < face.size(); ++k) {
         const std::uint32_t a = first_[face[k]], b = first_[face[(k + 1) % face.size()]];
-        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-          const auto entry = neighbours_.find(from);
-          if (entry != neighbours_.end()) entry->second.insert(to);
-        }
+        neighbours_[a].push_back(b);
+        neighbours_[b].push_back(a);
       }
+    }
+    for (std::vector<std::uint32_t>& vertices : neighbours_) {
+      std::ranges::sort(vertices);
+      const auto [first, last] = std::ranges::unique(vertices);
+      vertices.erase(first, last);
     }
   }
 
@@ -147,7 +149,7 @@ class FaceBender {
   }
 
   bool is_crowded(std::uint32_t vertex, std::span<const std::uint32_t> inner) const {
-    // Along the face; both are at most the width from it.
+    // Both are at most the width from the face.
     return std::ranges::any_of(inner, [&](std::uint32_t other) {
       return (soup_.vertices[other] - soup_.vertices[vertex]).norm() <= 2 * width_;
     });
@@ -162,7 +164,6 @@ class FaceBender {
       }
     }
     for (const std::uint32_t vertex : touching) {
-      neighbours_[vertex];
       if (!is_crowded(vertex, inner)) inner.push_back(vertex);
     }
   }
@@ -189,7 +190,7 @@ class FaceBender {
   PolygonSoup& soup_;
   double width_;
   std::vector<std::uint32_t> first_;
-  std::unordered_map<std::uint32_t, std::set<std::uint32_t>> neighbours_;
+  std::vector<std::vector<std::uint32_t>> neighbours_;  // by vertex, ascending
 };
 
 }  // namespace

@@ -168,6 +168,25 @@ TEST(Heal, ALegThatLeansStandsOnAllItsCorners) {
   EXPECT_NEAR(area_of_floor(soup), 16, 1e-12);
 }
 
+// A board that leans: its long edge lies on the floor, which bends beside it.
+TEST(Heal, AnEdgeOnABentFloorIsOneOfItsEdges) {
+  PolygonSoup soup = soup_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                              {{0.5, 1, 0}, {3.5, 1, 0}, {3.5, 1.5, 0.01}, {0.5, 1.5, 0.01}},
+                              {{2, 0.9, 0.01}, {2, 0.5, 1}, {2.5, 0.5, 1}}});
+  EXPECT_EQ(heal(soup, 0.02).bent, 3u);
+  std::size_t found = 0;
+  for (std::size_t face = 0; face < soup.faces.size(); ++face) {
+    if (soup.number_in_file(face) != 0) continue;
+    std::set<Point, decltype([](const Point& a, const Point& b) {
+               return std::ranges::lexicographical_compare(a, b);
+             })>
+        corners;
+    for (const std::uint32_t corner : soup.faces[face]) corners.insert(soup.vertices[corner]);
+    found += corners.contains({0.5, 1, 0}) && corners.contains({3.5, 1, 0}) ? 1 : 0;
+  }
+  EXPECT_EQ(found, 2u);
+}
+
 TEST(Heal, ALegThatStandsOrFloatsStaysAsItIs) {
   for (const double height : {0.0, 0.03}) {
     PolygonSoup soup = leg_on_floor({height, height, height, height});
