@@ -102,18 +102,7 @@ std::optional<std::vector<ViewedOccluder>> ViewpointScene::occluders(
       return std::nullopt;
     }
   }
-  // Shadows that leave little are subtracted first.
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const ConvexPolygon& corners = scene[found[i].id].polygon;
-    const double distance = (corner_mean(corners) - viewpoint_).squaredNorm();
-    order.emplace_back(-area(corners) / distance, i);
-  }
-  std::ranges::sort(order);
-  std::vector<ViewedOccluder> sorted;
-  sorted.reserve(found.size());
-  for (const auto& [size, i] : order) sorted.push_back(std::move(found[i]));
-  return sorted;
+  return found;
 }
 
 Blocks ViewpointScene::blocks(const ViewedOccluder& occluder, std::span<const Point> part,

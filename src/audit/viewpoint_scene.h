@@ -77,10 +77,10 @@ class ViewpointScene {
     return {viewpoint_, side(id), part, reach_};
   }
 
-  /// The surfaces that may block sight lines to a surface, none that certainly do not, those that
-  /// look largest from the viewpoint first; nothing if one alone blocks all of them. Exact
-  /// predicates decide, and boxes with a margin that rounding cannot use up. Requires a viewpoint
-  /// off its plane. Cost: logarithmic in the scene where it is sparse.
+  /// The surfaces that may block sight lines to a surface, none that certainly do not; nothing if
+  /// one alone blocks all of them. Exact predicates decide, and boxes with a margin that rounding
+  /// cannot use up. Requires a viewpoint off its plane. Cost: logarithmic in the scene where it is
+  /// sparse.
   std::optional<std::vector<ViewedOccluder>> occluders(SurfaceId id,
                                                        const ViewedPolygon& view) const;
   /// kNothing and kEverything are exact. `part` lies in the surface's plane and `view` is its view.
