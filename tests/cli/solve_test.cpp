@@ -276,13 +276,15 @@ TEST(Solve, OptionsReachTheRun) {
                                                 "--crop",
                                                 "9,9,9,-9,-9,-9",
                                                 "--target",
-                                                "floor"});
+                                                "floor",
+                                                "--aperture",
+                                                "1e-6"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const Json options = run_json(room.bundle()).at("options");
   EXPECT_EQ(options, Json::parse(R"({"backend": "rays", "rays": 4, "sampling": "stratified",
       "regions": 16, "element_area": 0.5, "optimizer": "exact", "viewpoints": "none",
       "coverage": "elements", "missed_share": null, "one_sided": true, "clearance": 0.0, "time_limit": 1000.0, "close_gap": null, "lattice": 16,
-      "merge_coplanar": true, "heal": 1e-6, "crop": [-9.0, -9.0, -9.0, 9.0, 9.0, 9.0], "targets": ["floor"], "allow_outside": true})"));
+      "merge_coplanar": true, "heal": 1e-6, "crop": [-9.0, -9.0, -9.0, 9.0, 9.0, 9.0], "targets": ["floor"], "aperture": 1e-6, "allow_outside": true})"));
   EXPECT_EQ(Table(room.bundle() + "/regions.csv").rows.size(), 16u);
   EXPECT_EQ(run_json(room.bundle()).at("scene").at("lattice_exponent"), 16);
 }

@@ -47,18 +47,14 @@ FaceKind kind_of(const PolygonSoup& soup, std::size_t face) {
   return convex_parts(without_straight_corners(loop)).kind;
 }
 
+/// [0, width] x [0, 4] without [1, 3] x [1, 3], in one loop with a bridge.
+std::vector<Point> floor_with_hole(double width) {
+  return {{0, 0, 0}, {width, 0, 0}, {width, 4, 0}, {0, 4, 0}, {0, 0, 0},
+          {1, 1, 0}, {1, 3, 0},     {3, 3, 0},     {3, 1, 0}, {1, 1, 0}};
+}
+
 TEST(Heal, ABridgeToAHoleStaysWalkedTwice) {
-  PolygonSoup soup = soup_of({{{0, 0, 0},
-                               {4, 0, 0},
-                               {4, 4, 0},
-                               {0, 4, 0},
-                               {0, 0, 0},
-                               {1, 1, 0},
-                               {1, 3, 0},
-                               {3, 3, 0},
-                               {3, 1, 0},
-                               {1, 1, 0}},
-                              {{0.5, 0.52, 0}, {0.4, 0.5, 1}, {0.6, 0.5, 1}}});
+  PolygonSoup soup = soup_of({floor_with_hole(4), {{0.5, 0.52, 0}, {0.4, 0.5, 1}, {0.6, 0.5, 1}}});
   EXPECT_EQ(heal(soup, 0.05).inserted, 2u);
   EXPECT_EQ(soup.faces[0].size(), 12u);
   EXPECT_NE(kind_of(soup, 0), FaceKind::kCrossing);
@@ -211,16 +207,7 @@ TEST(Heal, OfVerticesOnBothSidesOfAFaceTheNearerCounts) {
 }
 
 TEST(Heal, AFaceWithAHoleKeepsIt) {
-  PolygonSoup soup = soup_of({{{0, 0, 0},
-                               {8, 0, 0},
-                               {8, 4, 0},
-                               {0, 4, 0},
-                               {0, 0, 0},
-                               {1, 1, 0},
-                               {1, 3, 0},
-                               {3, 3, 0},
-                               {3, 1, 0},
-                               {1, 1, 0}},
+  PolygonSoup soup = soup_of({floor_with_hole(8),
                               {{6, 2, 0.01}, {6, 2.5, 1}, {6.5, 2, 1}},
                               {{2, 2, 0.01}, {2, 2.5, 1}, {2.5, 2, 1}}});
   EXPECT_EQ(heal(soup, 0.02).bent, 1u);  // the other is over the hole
