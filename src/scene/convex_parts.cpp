@@ -283,9 +283,10 @@ std::vector<std::array<Point, 3>> triangles_through(
                                       indices.points.begin());
   };
   for (const auto& [from, to] : segments) {
-    // Not from corners that are left out as straight.
+    // Not from corners that are left out as straight, nor from a place to itself.
     const auto ends = std::array{number(from), number(to)};
-    if (std::ranges::max(ends) < indices.points.size()) indices.segments.push_back(ends);
+    if (ends[0] == ends[1] || std::ranges::max(ends) >= indices.points.size()) continue;
+    indices.segments.push_back(ends);
   }
   const int axis = axes_in_order(loop).front();
   ProjectedLoops projected(indices, axis);

@@ -192,6 +192,16 @@ TEST(Heal, ALegThatStandsOrFloatsStaysAsItIs) {
   }
 }
 
+// Two corners of a face that became one by an earlier step make no edge.
+TEST(Heal, AFaceThatCollapsedBesideAnotherDoesNoHarm) {
+  PolygonSoup soup = soup_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                              {{1, 1, 0.01}, {1.01, 1, 0.01}, {1, 3, 2}, {0.5, 3, 2}}});
+  const Healing healing = heal(soup, 0.02);
+  EXPECT_EQ(healing.moved, 1u);
+  EXPECT_EQ(healing.bent, 1u);
+  EXPECT_NEAR(area_of_floor(soup), 16, 1e-12);
+}
+
 TEST(Heal, OfVerticesOnBothSidesOfAFaceTheNearerCounts) {
   PolygonSoup soup = soup_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
                               {{1, 1, 0.019}, {2, 1, 3}, {2, 2, 3}},
