@@ -63,8 +63,8 @@ int audit(const AuditText& text) {
         "audit",
         [&] {
           return Progress::State{
-              static_cast<double>(done.load()) / static_cast<double>(viewpoints.size()),
-              fmt::format("{} of {} viewpoints", done.load(), viewpoints.size())};
+              static_cast<double>(done.load()) / static_cast<double>(task.elements.size()),
+              fmt::format("{} of {} elements", done.load(), task.elements.size())};
         },
         text.common.quiet);
     summary = write_audit(task, folder, options);

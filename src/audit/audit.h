@@ -46,7 +46,7 @@ struct Audit {
 struct AuditOptions {
   bool one_sided = false;                    ///< only the front of a surface is seen
   const std::atomic<bool>* stop = nullptr;   ///< when set, the audit ends with `Interrupted`
-  std::atomic<std::size_t>* done = nullptr;  ///< counts viewpoints, for those who watch
+  std::atomic<std::size_t>* done = nullptr;  ///< counts elements, for those who watch
 };
 
 /// Finds the exactly imaged part of every element (papers/audit.md): all points whose open segment

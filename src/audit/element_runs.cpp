@@ -32,7 +32,6 @@ void ElementRuns::view(const ViewpointScene& from, const AuditOptions& options,
         [&](std::size_t index, ElementView&& view) { visit(run.first + index, std::move(view)); });
   });
   if (options.stop != nullptr && *options.stop) throw Interrupted();
-  if (options.done != nullptr) ++*options.done;
 }
 
 }  // namespace viewcover
