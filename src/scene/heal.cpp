@@ -14,6 +14,17 @@
 namespace viewcover {
 namespace {
 
+/// Calls visit(those of one face) for each face in turn; `beside` is ordered by face.
+template <class Beside, class Visit>
+void for_each_face(const std::vector<Beside>& beside, const Visit& visit) {
+  for (auto begin = beside.begin(); begin != beside.end();) {
+    const auto end = std::find_if(begin, beside.end(),
+                                  [&](const Beside& other) { return other.face != begin->face; });
+    visit(std::span(begin, end));
+    begin = end;
+  }
+}
+
 /// Every vertex goes to the earliest one that is near, if that has not gone to another.
 void move_together(PolygonSoup& soup, std::span<const NearVertices> apart, Healing& healing) {
   const std::vector<std::uint32_t> first = first_at_place(soup.vertices);
@@ -67,14 +78,10 @@ class FaceBender {
     if (beside.empty()) return;
     find_neighbours();
     std::map<std::uint32_t, std::vector<PolygonSoup::Face>> triangles;
-    for (auto begin = beside.begin(); begin != beside.end();) {
-      const auto end = std::find_if(begin, beside.end(), [&](const VertexBesideFace& other) {
-        return other.face != begin->face;
-      });
-      std::vector<PolygonSoup::Face> bent = bend({begin, end}, healing);
-      if (!bent.empty()) triangles.emplace(begin->face, std::move(bent));
-      begin = end;
-    }
+    for_each_face(beside, [&](std::span<const VertexBesideFace> of_face) {
+      std::vector<PolygonSoup::Face> bent = bend(of_face, healing);
+      if (!bent.empty()) triangles.emplace(of_face.front().face, std::move(bent));
+    });
     replace_faces(triangles);
   }
 
@@ -199,12 +206,8 @@ Healing heal(PolygonSoup& soup, double width) {
   Healing healing;
   move_together(soup, find_cracks(soup, width).apart, healing);
   const std::vector<Crack> cracks = find_cracks(soup, width).beside_edges;
-  for (auto begin = cracks.begin(); begin != cracks.end();) {
-    const auto end = std::find_if(begin, cracks.end(),
-                                  [&](const Crack& crack) { return crack.face != begin->face; });
-    insert_corners(soup, {begin, end}, healing);
-    begin = end;
-  }
+  for_each_face(cracks,
+                [&](std::span<const Crack> of_face) { insert_corners(soup, of_face, healing); });
   FaceBender(soup, width).run(healing);
   return healing;
 }
