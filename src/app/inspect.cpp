@@ -9,12 +9,12 @@
 #include "app/exit_codes.h"
 #include "app/option_values.h"
 #include "report/run_record.h"
-#include "scene/closed_surface.h"
-#include "scene/cracks.h"
-#include "scene/crop.h"
 #include "scene/error.h"
-#include "scene/polygon_soup.h"
-#include "scene/surface_mesh.h"
+#include "scene/read/polygon_soup.h"
+#include "scene/repair/closed_surface.h"
+#include "scene/repair/cracks.h"
+#include "scene/repair/crop.h"
+#include "scene/repair/surface_mesh.h"
 
 namespace viewcover {
 namespace {

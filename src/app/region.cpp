@@ -13,7 +13,7 @@
 #include "report/file_writer.h"
 #include "report/run_record.h"
 #include "scene/error.h"
-#include "scene/polygon_soup.h"
+#include "scene/read/polygon_soup.h"
 
 namespace viewcover {
 namespace {

@@ -17,8 +17,8 @@
 #include "approx/ray_query.h"
 #include "optim/stopwatch.h"
 #include "scene/error.h"
-#include "scene/json_text.h"
 #include "scene/predicates.h"
+#include "scene/read/json_text.h"
 
 namespace viewcover {
 namespace {

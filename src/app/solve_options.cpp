@@ -6,7 +6,7 @@
 #include "app/option_values.h"
 #include "optim/cover_methods.h"
 #include "scene/error.h"
-#include "scene/polygon_soup.h"
+#include "scene/read/polygon_soup.h"
 
 namespace viewcover {
 namespace {

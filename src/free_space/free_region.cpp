@@ -13,8 +13,8 @@
 #include <numbers>
 #include <string>
 
-#include "scene/convex_parts.h"
 #include "scene/error.h"
+#include "scene/repair/convex_parts.h"
 
 namespace viewcover {
 namespace {

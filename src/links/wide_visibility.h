@@ -6,7 +6,7 @@
 #include "links/bit_rows.h"
 #include "links/refine.h"
 #include "links/visibility_matrix.h"
-#include "scene/narrow_gaps.h"
+#include "scene/repair/narrow_gaps.h"
 
 namespace viewcover {
 
@@ -21,9 +21,9 @@ struct WideVisibility {
 };
 
 /// Closes the gaps narrower than `width` and decides everything anew with `backend`. For an exact
-/// backend the bits are theorems about the scene with its patches (scene/narrow_gaps.h); random
-/// rays also miss what is wide. `options` as for the matrix. Cost: as refine, unless there is no
-/// gap. Errors: as find_narrow_gaps and refine.
+/// backend the bits are theorems about the scene with its patches (scene/repair/narrow_gaps.h);
+/// random rays also miss what is wide. `options` as for the matrix. Cost: as refine, unless there
+/// is no gap. Errors: as find_narrow_gaps and refine.
 WideVisibility find_wide_visibility(const Scene& scene, const ViewingRegion& region,
                                     const VisibilityMatrix& matrix,
                                     const VisibilityBackend& backend, const RefineOptions& options,

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scene/error.h"
-#include "scene/soup_text.h"
+#include "scene/read/soup_text.h"
 
 namespace viewcover {
 namespace {

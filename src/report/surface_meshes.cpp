@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "report/file_writer.h"
-#include "scene/mesh_file.h"
+#include "scene/read/mesh_file.h"
 
 namespace viewcover {
 namespace {

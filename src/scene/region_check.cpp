@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
-#include "scene/closed_surface.h"
 #include "scene/error.h"
 #include "scene/polygon_contact.h"
 #include "scene/predicates.h"
+#include "scene/repair/closed_surface.h"
 #include "scene/viewing_region.h"
 
 namespace viewcover {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/convex_faces.h"
-#include "scene/crop.h"
 #include "scene/error.h"
-#include "scene/polygon_soup.h"
-#include "scene/surface_mesh.h"
+#include "scene/read/polygon_soup.h"
+#include "scene/repair/convex_faces.h"
+#include "scene/repair/crop.h"
+#include "scene/repair/surface_mesh.h"
 
 namespace viewcover {
 namespace {

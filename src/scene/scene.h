@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "scene/convex_polygon.h"
-#include "scene/heal.h"
 #include "scene/lattice.h"
-#include "scene/polygon_soup.h"
+#include "scene/read/polygon_soup.h"
+#include "scene/repair/heal.h"
 #include "scene/types.h"
 
 namespace viewcover {
@@ -48,8 +48,8 @@ struct SceneOptions {
   std::optional<int> lattice_exponent;  ///< default: Lattice::for_extent of the file
   bool one_sided = false;               ///< faces that differ by orientation are no duplicates
   bool merge_coplanar = false;          ///< join exactly coplanar neighbours of one group
-  double heal = 0;                      ///< close cracks up to this width (scene/cracks.h)
-  /// Faces wholly outside are left out, before the lattice is chosen (scene/crop.h).
+  double heal = 0;                      ///< close cracks up to this width (scene/repair/cracks.h)
+  /// Faces wholly outside are left out, before the lattice is chosen (scene/repair/crop.h).
   std::optional<Box> crop = {};
   /// Groups whose surfaces are to be seen, by their names or the names of their OBJ objects; all
   /// where there are none.
@@ -65,7 +65,8 @@ struct Scene {
   Box bounds;
   std::size_t faces = 0;  ///< faces in the file
   Repairs repairs;
-  /// One line on faces so far out that they make the lattice coarse (scene/crop.h); empty if none.
+  /// One line on faces so far out that they make the lattice coarse (scene/repair/crop.h); empty if
+  /// none.
   std::string warning;
 
   const Surface& operator[](SurfaceId id) const { return surfaces[id.value]; }
@@ -73,8 +74,8 @@ struct Scene {
   double area() const;
 };
 
-/// Reads a mesh file (scene/polygon_soup.h) and makes every face convex and exactly planar on the
-/// lattice: such faces stay whole, others are split or triangulated with their area preserved.
+/// Reads a mesh file (scene/read/polygon_soup.h) and makes every face convex and exactly planar on
+/// the lattice: such faces stay whole, others are split or triangulated with their area preserved.
 ///
 /// Errors: InputError for a file that is missing, empty, malformed, has an index out of range, a
 /// coordinate that is not finite, a face with fewer than 3 corners, a face that crosses itself,

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/convex_faces.h"
 #include "scene/error.h"
-#include "scene/json_text.h"
 #include "scene/predicates.h"
+#include "scene/read/json_text.h"
+#include "scene/repair/convex_faces.h"
 
 namespace viewcover {
 namespace {

@@ -80,7 +80,7 @@ ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vect
 
 /// Reads a region: JSON `{"polygons": [...], "boxes": [...]}` (convex polygons, and boxes as
 /// `{"min": [x, y, z], "max": [x, y, z]}`), or the faces of a mesh file
-/// (scene/polygon_soup.h), made convex like those of a scene. Coordinates go to `lattice`.
+/// (scene/read/polygon_soup.h), made convex like those of a scene. Coordinates go to `lattice`.
 ///
 /// `regions_per_part` is a power of 4 (1, 4, 16, ..., 4^10): regions a polygon or box. A JSON
 /// polygon that is planar and convex as far as four significant digits tell, but not on the

@@ -12,10 +12,10 @@
 #include "optim/cover_file.h"
 #include "scene/error.h"
 #include "scene/generate/gallery.h"
-#include "scene/json_text.h"
-#include "scene/polygon_soup.h"
+#include "scene/read/json_text.h"
+#include "scene/read/polygon_soup.h"
+#include "scene/repair/surface_mesh.h"
 #include "scene/scene.h"
-#include "scene/surface_mesh.h"
 #include "scene/viewing_region.h"
 
 namespace viewcover::fuzz {

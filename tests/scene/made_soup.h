@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/polygon_soup.h"
+#include "scene/read/polygon_soup.h"
 
 namespace viewcover::testing {
 

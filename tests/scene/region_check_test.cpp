@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "made_scene.h"
 #include "scene/error.h"
+#include "scene/made_scene.h"
 #include "scene/scene.h"
 #include "scene/viewing_region.h"
 

@@ -10,8 +10,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "scene/convex_faces.h"
 #include "scene/error.h"
+#include "scene/repair/convex_faces.h"
 #include "scene/scratch_folder.h"
 
 namespace viewcover {

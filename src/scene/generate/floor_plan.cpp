@@ -4,7 +4,7 @@
 
 #include "scene/error.h"
 #include "scene/generate/gallery.h"
-#include "scene/soup_text.h"
+#include "scene/read/soup_text.h"
 
 namespace viewcover {
 namespace {

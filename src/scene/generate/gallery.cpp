@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/convex_parts.h"
 #include "scene/error.h"
 #include "scene/generate/scene_builder.h"
 #include "scene/lattice.h"
 #include "scene/predicates.h"
+#include "scene/repair/convex_parts.h"
 
 namespace viewcover {
 namespace {
