@@ -27,7 +27,8 @@ void ImagedElement::add_parts(std::span<const FlatPolygon> seen) {
   before.swap(pieces_);
   std::vector<FlatPolygon> rest, outside;
   for (Piece& piece : before) {
-    rest.assign(1, std::move(piece.polygon));
+    rest.clear();
+    rest.push_back(std::move(piece.polygon));
     for (const FlatPolygon& part : seen) {
       outside.clear();
       for (FlatPolygon& polygon : rest) {
