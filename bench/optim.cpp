@@ -22,6 +22,7 @@ using namespace viewcover;
 
 constexpr double kSecondsPerSeed = 30;
 constexpr int kSeeds = 10;
+constexpr double kSecondsToProve = 120;
 
 /// One iteration a seed; its time is the time until the best known cover is reached, or until the
 /// method gives up.
@@ -65,6 +66,24 @@ void reach(benchmark::State& state, const std::string& method,
   }
   state.counters["mean_size"] = sizes / static_cast<double>(seed);
   state.counters["most"] = most;
+}
+
+/// How far the exact method gets, once: the smallest cover found and what is proved.
+void prove(benchmark::State& state, const reference::HardInstance& hard) {
+  const CoverInstance instance(hard.matrix, std::vector<double>(hard.matrix.columns(), 1.0));
+  CoverOptions options;
+  options.goal = CoverGoal::kWholeCover;
+  options.time_limit_seconds = kSecondsToProve;
+  double ones = 0;
+  for (std::size_t row = 0; row < hard.matrix.rows(); ++row) {
+    ones += static_cast<double>(count_bits(hard.matrix.row(row)));
+  }
+  for (auto _ : state) {
+    const RegionCover cover = make_cover_method("exact")->solve(instance, options);
+    state.counters["ones"] = ones;
+    state.counters["size"] = static_cast<double>(cover.size());
+    state.counters["bound"] = static_cast<double>(cover.lower_bound);
+  }
 }
 
 /// 256 places in a room with furniture, its 5000 elements merged to columns of their own.
@@ -156,7 +175,8 @@ BENCHMARK(union_of_ten_rows)->ArgName("merged")->Arg(0)->Arg(1)->Unit(benchmark:
 
 int main(int argc, char** argv) {
   const std::vector<reference::HardInstance> instances = reference::hard_instances(),
-                                             library = reference::library_instances();
+                                             library = reference::library_instances(),
+                                             cameras = reference::camera_instances();
   const auto add = [](const std::string& what, const std::string& method,
                       const reference::HardInstance& hard) {
     benchmark::RegisterBenchmark(
@@ -172,6 +192,12 @@ int main(int argc, char** argv) {
     }
   }
   for (const reference::HardInstance& hard : library) add("library", "local", hard);
+  for (const reference::HardInstance& hard : cameras) {
+    benchmark::RegisterBenchmark(("prove/exact/" + hard.name).c_str(),
+                                 [&hard](benchmark::State& state) { prove(state, hard); })
+        ->Iterations(1)
+        ->Unit(benchmark::kSecond);
+  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

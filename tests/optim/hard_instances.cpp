@@ -1,7 +1,10 @@
 #include "hard_instances.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -124,6 +127,48 @@ HardInstance greedy_trap(int levels, std::size_t copies) {
   return {"greedy trap " + std::to_string(levels), std::move(matrix), 2 * copies, true};
 }
 
+HardInstance camera_placement(const CameraRoom& room) {
+  constexpr int kSide = 11, kLayers = 5, kDirections = 8;
+  // Places on the border of a pyramid count, on every machine.
+  constexpr double kSlack = 1e-9;
+  const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
+  const double wide = std::tan(radians(room.horizontal / 2)),
+               high = std::tan(radians(room.vertical / 2));
+  using Vector = Eigen::Vector3d;
+  const auto for_each_place = [&](int layers, const auto& visit) {
+    for (int x = 0; x < kSide; ++x) {
+      for (int y = 0; y < kSide; ++y) {
+        for (int z = 0; z < layers; ++z) visit(Vector(x, y, z));
+      }
+    }
+  };
+  BitRows matrix(kSide * kSide * kDirections * room.tilts.size(), kSide * kSide * kLayers);
+  std::size_t row = 0;
+  for_each_place(1, [&](const Vector& below) {
+    const Vector camera = below + Vector(0, 0, room.height);
+    for (const double tilt : room.tilts) {
+      for (int k = 0; k < kDirections; ++k, ++row) {
+        const double up = radians(tilt), round = 2 * std::numbers::pi * k / kDirections;
+        const Vector forward(std::cos(up) * std::cos(round), std::cos(up) * std::sin(round),
+                             std::sin(up));
+        const Vector right(std::sin(round), -std::cos(round), 0);
+        const Vector above = right.cross(forward);
+        std::size_t column = 0;
+        for_each_place(kLayers, [&](const Vector& place) {
+          const Vector d = place - camera;
+          const double depth = d.dot(forward);
+          if (depth > kSlack && std::fabs(d.dot(right)) <= wide * depth + kSlack &&
+              std::fabs(d.dot(above)) <= high * depth + kSlack && d.norm() <= room.range + kSlack) {
+            matrix.set(row, column);
+          }
+          ++column;
+        });
+      }
+    }
+  });
+  return {"cameras to " + std::to_string(room.range).substr(0, 3), std::move(matrix), 1, false};
+}
+
 std::vector<HardInstance> hard_instances() {
   std::vector<HardInstance> instances;
   for (const int dimension : {2, 3, 4}) instances.push_back(affine_lines(dimension));
@@ -139,6 +184,18 @@ std::vector<HardInstance> library_instances() {
   for (const int points : {10, 12, 13}) instances.push_back(bipartitions(points));
   for (const int dimension : {5, 6}) instances.push_back(affine_lines(dimension));
   for (const int dimension : {9, 10, 11}) instances.push_back(cube_cycles(dimension));
+  return instances;
+}
+
+std::vector<HardInstance> camera_instances() {
+  std::vector<HardInstance> instances;
+  const std::array<double, 3> steep = {-22.5, -45, -67.5}, flat = {-15, -45, -75},
+                              level = {0, -45, -90}, down = {-30, -45, -60};
+  for (const CameraRoom& room : {CameraRoom{4, steep, 60, 45, 8}, CameraRoom{4, level, 65, 48, 9.9},
+                                 CameraRoom{4, flat, 60, 45, 9}, CameraRoom{4.5, down, 65, 48, 7},
+                                 CameraRoom{4.5, down, 65, 48, 5.5}}) {
+    instances.push_back(camera_placement(room));
+  }
   return instances;
 }
 

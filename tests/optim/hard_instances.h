@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -41,11 +42,29 @@ HardInstance planted_cover(std::size_t planted, std::size_t share, std::size_t d
 /// columns, each half from one of the two and half from the other. Greedy takes all of the latter.
 HardInstance greedy_trap(int levels, std::size_t copies);
 
+/// Cameras on the ceiling of an empty room: what the academic instances of the GECCO 2020
+/// competition on optimal camera placement are about. Places are a grid of 11 x 11 x 5 with steps
+/// of 1, the first 11 x 11 at height 0; over each of these, at `height`, a camera looks in 8
+/// directions round, at three angles to the horizontal. It covers the places in its pyramid that
+/// are no farther than `range`.
+struct CameraRoom {
+  double height = 4;
+  std::array<double, 3> tilts = {};       ///< degrees, negative: down
+  double horizontal = 60, vertical = 45;  ///< whole angles of view, degrees
+  double range = 8;
+};
+
+/// Rows: cameras, 2,904; columns: places, 605. No optimum is known.
+HardInstance camera_placement(const CameraRoom& room);
+
 /// The ones that methods are measured with.
 std::vector<HardInstance> hard_instances();
 
 /// The larger ones of the same kinds, under the names clr, STS and cyc in the OR-Library and among
 /// the Steiner triple systems.
 std::vector<HardInstance> library_instances();
+
+/// Camera placements of the size and density of that competition's first and tenth instance.
+std::vector<HardInstance> camera_instances();
 
 }  // namespace viewcover::reference
