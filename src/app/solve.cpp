@@ -245,10 +245,6 @@ int solve(const SolveOptions& options) {
   }
   const ViewingRegion region =
       load_viewing_region(options.region_file, scene.lattice, options.regions_per_part);
-  if (options.full_coverage && !region.boxes.empty()) {
-    throw InputError(options.region_file.string(), "has boxes, which --coverage full cannot treat",
-                     "use polygons, or --coverage elements");
-  }
   check_region_is_free(options.region_file, scene, region,
                        {.clearance = options.clearance, .allow_outside = options.allow_outside});
   stop_if_interrupted();

@@ -85,9 +85,7 @@ PairVerdicts::PairVerdicts(const std::filesystem::path& folder, const RunData& r
       }
       continue;
     }
-    for (const std::size_t row : face->second) {
-      for (std::uint8_t& known : known_verdicts(row)) known = std::min(known, value);
-    }
+    for (std::uint8_t& known : known_verdicts(face->second)) known = std::min(known, value);
   }
   for (std::size_t row = 0; row < run.seen.rows(); ++row) {
     for_each_bit(run.seen.row(row), [&](std::size_t column) {

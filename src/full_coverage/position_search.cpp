@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "viewpoints/position_annealing.h"
@@ -90,20 +91,20 @@ std::optional<Viewpoint> PositionSearch::position_that_sees(const ElementTarget&
     RegionCell cell{views_.region().address(i), i, views_.positions(i).region()};
     if (!views_.cell_sees_place(cell, place)) continue;
     for (int depth = 0; depth < kDeepest; ++depth) {
-      const Point middle = views_.positions(i).nearest(centroid(cell.polygon()));
+      const Point middle = views_.positions(i).nearest(cell.shape.middle());
       if (witnesses_.is_seen(middle, place) && views_.is_free(i, middle)) {
         return Viewpoint{middle, i};
       }
       if (cell.address.level() == kMaxSubdivisionLevel) break;
-      const auto quarter = quarters(cell.polygon());
+      const std::array<RegionShape, 4> quarters = cell.shape.quarters();
       int digit = 0;
-      while (digit < 4 &&
-             !views_.cell_sees_place(
-                 {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]}, place)) {
+      while (digit < 4 && !views_.cell_sees_place({cell.address.child(digit), i,
+                                                   quarters[static_cast<std::size_t>(digit)]},
+                                                  place)) {
         ++digit;
       }
       if (digit == 4) break;
-      cell = {cell.address.child(digit), i, quarter[static_cast<std::size_t>(digit)]};
+      cell = {cell.address.child(digit), i, quarters[static_cast<std::size_t>(digit)]};
     }
   }
   return std::nullopt;

@@ -30,7 +30,7 @@ SpecialPositions::SpecialPositions(const RegionViews& views) : views_(views) {
     const Box of_region = views.positions(i).region().bounds();
     boxes_.emplace_back(of_region.min() - margin, of_region.max() + margin);
   }
-  for (const ConvexPolygon& part : region.parts) {
+  for (const ConvexPolygon& part : std::span(region.parts).first(region.polygon_count())) {
     const Point up = area_vector(part).normalized();
     std::vector<Line>& lines = lines_.emplace_back();
     for (const Surface& surface : scene.surfaces) {
@@ -42,24 +42,33 @@ SpecialPositions::SpecialPositions(const RegionViews& views) : views_(views) {
       const double along = normal.dot(up) * up.dot(part[0]);
       lines.push_back({in_part / length, (normal.dot(surface.polygon[0]) - along) / length});
     }
-    for (Line& line : lines) {
-      // One direction for each line, so that equal ones are neighbours.
-      const Point& n = line.normal;
-      const double first = std::fabs(n.x()) > kSame   ? n.x()
-                           : std::fabs(n.y()) > kSame ? n.y()
-                                                      : n.z();
-      if (first < 0) line = {-line.normal, -line.offset};
-    }
-    const auto key = [](const Line& line) {
-      return std::array{line.offset, line.normal.x(), line.normal.y(), line.normal.z()};
-    };
-    std::ranges::sort(lines, {}, key);
-    const auto same = [&](const Line& a, const Line& b) {
-      return std::fabs(a.offset - b.offset) < kSame * extent_ &&
-             (a.normal - b.normal).norm() < kSame;
-    };
-    lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
+    remove_repeated(lines);
   }
+  if (region.boxes.empty()) return;
+  for (const Surface& surface : scene.surfaces) {
+    const Point normal = area_vector(surface.polygon).normalized();
+    planes_.push_back({normal, normal.dot(surface.polygon[0])});
+  }
+  remove_repeated(planes_);
+}
+
+void SpecialPositions::remove_repeated(std::vector<Line>& lines) const {
+  for (Line& line : lines) {
+    // One direction for each line, so that equal ones are neighbours.
+    const Point& n = line.normal;
+    const double first = std::fabs(n.x()) > kSame   ? n.x()
+                         : std::fabs(n.y()) > kSame ? n.y()
+                                                    : n.z();
+    if (first < 0) line = {-line.normal, -line.offset};
+  }
+  const auto key = [](const Line& line) {
+    return std::array{line.offset, line.normal.x(), line.normal.y(), line.normal.z()};
+  };
+  std::ranges::sort(lines, {}, key);
+  const auto same = [&](const Line& a, const Line& b) {
+    return std::fabs(a.offset - b.offset) < kSame * extent_ && (a.normal - b.normal).norm() < kSame;
+  };
+  lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
 }
 
 void SpecialPositions::add_at(const Point& point, std::vector<Viewpoint>& positions) const {
@@ -78,8 +87,12 @@ void SpecialPositions::add_at(const Point& point, std::vector<Viewpoint>& positi
 
 std::vector<Viewpoint> SpecialPositions::corners() const {
   std::vector<Viewpoint> positions;
-  for (const ConvexPolygon& part : views_.region().parts) {
+  const ViewingRegion& region = views_.region();
+  for (const ConvexPolygon& part : std::span(region.parts).first(region.polygon_count())) {
     for (const Point& corner : part) add_at(corner, positions);
+  }
+  for (const Box& box : region.boxes) {
+    for (int k = 0; k < 8; ++k) add_at(box.corner(static_cast<Box::CornerType>(k)), positions);
   }
   return positions;
 }
@@ -95,29 +108,31 @@ std::optional<Point> SpecialPositions::crossing(const Line& a, const Line& b, co
 
 std::vector<Viewpoint> SpecialPositions::beside(const Viewpoint& viewpoint) const {
   constexpr int kDirections = 8;
-  const ConvexPolygon& region = views_.positions(viewpoint.region).region().polygon();
-  const Point u = (region[1] - region[0]).normalized(),
-              v = area_vector(region).normalized().cross(u);
+  const RegionShape& region = views_.positions(viewpoint.region).region();
+  std::vector<Point> directions;
+  if (region.is_box()) {
+    for (int k = 0; k < kDirections; ++k) {
+      directions.push_back(
+          Point((k & 1) - 0.5, (k >> 1 & 1) - 0.5, (k >> 2 & 1) - 0.5).normalized());
+    }
+  } else {
+    const ConvexPolygon& polygon = region.polygon();
+    const Point u = (polygon[1] - polygon[0]).normalized(),
+                v = area_vector(polygon).normalized().cross(u);
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / kDirections;
+      directions.push_back(std::cos(angle) * u + std::sin(angle) * v);
+    }
+  }
   std::vector<Viewpoint> positions;
-  for (int i = 0; i < kDirections; ++i) {
-    const double angle = 2 * std::numbers::pi * (i + 0.5) / kDirections;
-    add_at(viewpoint.position + kBeside * extent_ * (std::cos(angle) * u + std::sin(angle) * v),
-           positions);
+  for (const Point& direction : directions) {
+    add_at(viewpoint.position + kBeside * extent_ * direction, positions);
   }
   return positions;
 }
 
-std::vector<Viewpoint> SpecialPositions::near(const Viewpoint& viewpoint) const {
-  const std::size_t part = viewpoint.region / views_.region().regions_per_part();
-  const Point& from = viewpoint.position;
-  const Point up = area_vector(views_.region().parts[part]).normalized();
-  const auto distance = [&](const Line& line) {
-    return std::fabs(line.normal.dot(from) - line.offset);
-  };
-  std::vector<Line> lines = lines_[part];
-  const std::size_t kept = std::min(kNearestLines, lines.size());
-  std::ranges::partial_sort(lines, lines.begin() + static_cast<std::ptrdiff_t>(kept), {}, distance);
-  lines.resize(kept);
+std::vector<Point> SpecialPositions::near_in_polygon(std::span<const Line> lines, const Point& from,
+                                                     const Point& up) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     points.push_back(from + (lines[i].offset - lines[i].normal.dot(from)) * lines[i].normal);
@@ -132,6 +147,46 @@ std::vector<Viewpoint> SpecialPositions::near(const Viewpoint& viewpoint) const 
       }
     }
   }
+  return points;
+}
+
+std::vector<Point> SpecialPositions::near_in_box(std::span<const Line> planes, const Point& from) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Line& a = planes[i];
+    points.push_back(from + (a.offset - a.normal.dot(from)) * a.normal);
+    for (std::size_t j = 0; j < i; ++j) {
+      // Nearest on the common line; the plane across it is the third of a corner.
+      const Line& b = planes[j];
+      const Point along = a.normal.cross(b.normal);
+      if (along.norm() < kSame) continue;
+      const Line across{along.normalized(), along.normalized().dot(from)};
+      std::vector<Line> thirds(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(j));
+      thirds.push_back(across);
+      for (const Line& c : thirds) {
+        const double det = along.dot(c.normal);
+        if (std::fabs(det) < kSame) continue;
+        points.push_back((a.offset * b.normal.cross(c.normal) +
+                          b.offset * c.normal.cross(a.normal) + c.offset * along) /
+                         det);
+      }
+    }
+  }
+  return points;
+}
+
+std::vector<Viewpoint> SpecialPositions::near(const Viewpoint& viewpoint) const {
+  const std::size_t part = viewpoint.region / views_.region().regions_per_part();
+  const bool in_box = part >= lines_.size();
+  const Point& from = viewpoint.position;
+  std::vector<Line> lines = in_box ? planes_ : lines_[part];
+  const std::size_t kept = std::min(kNearestLines, lines.size());
+  std::ranges::partial_sort(lines, lines.begin() + static_cast<std::ptrdiff_t>(kept), {},
+                            [&](const Line& line) { return line.distance(from); });
+  lines.resize(kept);
+  std::vector<Point> points =
+      in_box ? near_in_box(lines, from)
+             : near_in_polygon(lines, from, area_vector(views_.region().parts[part]).normalized());
   std::erase_if(points,
                 [&](const Point& point) { return (point - from).norm() > kReach * extent_; });
   std::ranges::sort(points, {}, [&](const Point& point) { return (point - from).norm(); });

@@ -35,22 +35,44 @@ struct Sides {
   bool front = false, back = false;
 };
 
-Sides sides_of(const Plane& plane, std::span<const Point> corners) {
-  Sides sides;
-  for (const Point& corner : corners) {
-    const int side = plane.side(corner);
-    sides.front |= side > 0;
-    sides.back |= side < 0;
+/// A cell of a region, as surfaces and other cells touch it.
+struct CellBody {
+  std::vector<ConvexPolygon> faces;
+  Box bounds;
+  bool is_box = false;
+
+  explicit CellBody(const RegionShape& shape)
+      : faces(shape.faces()), bounds(shape.bounds()), is_box(shape.is_box()) {}
+
+  Sides sides_of(const Plane& plane) const {
+    Sides sides;
+    for (const ConvexPolygon& face : faces) {
+      for (const Point& corner : face) {
+        const int side = plane.side(corner);
+        sides.front |= side > 0;
+        sides.back |= side < 0;
+      }
+    }
+    return sides;
   }
-  return sides;
-}
+  /// Of a surface, which does not enter boxes.
+  bool is_near(const ConvexPolygon& surface, double distance) const {
+    return std::ranges::any_of(
+        faces, [&](const ConvexPolygon& face) { return is_nearer_than(face, surface, distance); });
+  }
+  /// By bounding boxes if one of the two is a box: never no where they meet.
+  bool is_near(const CellBody& other, double distance) const {
+    if (is_box || other.is_box) return bounds.exteriorDistance(other.bounds) < distance;
+    return is_nearer_than(faces.front(), other.faces.front(), distance);
+  }
+};
 
 }  // namespace
 
 Witnesses::Witnesses(const RegionViews& views)
     : views_(views), segments_(views.occluders()), box_(views.viewed().scene.bounds) {
   const ViewingRegion& region = views.region();
-  for (const ConvexPolygon& part : region.parts) box_.extend(bounding_box(part));
+  for (const ConvexPolygon& part : region.parts) box_.extend(bounding_box(part));  // and faces
   contact_ = kContact * box_.sizes().maxCoeff();
   const auto& surfaces = views.viewed().scene.surfaces;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -68,11 +90,12 @@ std::optional<ElementTarget> Witnesses::place_in(std::size_t column,
   const RegionPositions positions(subdivided(scene[element.owner()].polygon, element), box_,
                                   scene.lattice.exponent);
   const auto usable = [&](const Point& x) {
-    const auto& parts = views_.region().parts;
+    const ViewingRegion& region = views_.region();
     return is_well_inside(x, part) && !is_on_another_surface({column, x}) &&
-           std::ranges::none_of(parts, [&](const ConvexPolygon& region) {
-             return orientation(region[0], region[1], region[2], x) == 0;
-           });
+           std::ranges::none_of(std::span(region.parts).first(region.polygon_count()),
+                                [&](const ConvexPolygon& polygon) {
+                                  return orientation(polygon[0], polygon[1], polygon[2], x) == 0;
+                                });
   };
   // Near the middle, but for what is there; else on the way to a corner.
   const Point middle = centroid(part);
@@ -138,6 +161,9 @@ std::size_t Witnesses::add(std::span<const ElementTarget> places) {
 std::vector<std::pair<std::size_t, std::size_t>> Witnesses::lends(
     std::span<const RegionCell> cells) const {
   std::vector<std::pair<std::size_t, std::size_t>> lends;
+  if (near_region_.empty()) return lends;
+  std::vector<CellBody> bodies;
+  for (const RegionCell& cell : cells) bodies.emplace_back(cell.shape);
   const Scene& scene = views_.viewed().scene;
   for (const SurfaceId surface : near_region_) {
     const ConvexPolygon& polygon = scene[surface].polygon;
@@ -147,20 +173,16 @@ std::vector<std::pair<std::size_t, std::size_t>> Witnesses::lends(
     box = Box(box.min() - margin, box.max() + margin);
     std::vector<std::size_t> near;
     std::vector<Sides> sides;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!box.intersects(bounding_box(cells[i].polygon())) ||
-          !is_nearer_than(cells[i].polygon(), polygon, contact_)) {
-        continue;
-      }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!box.intersects(bodies[i].bounds) || !bodies[i].is_near(polygon, contact_)) continue;
       near.push_back(i);
-      sides.push_back(sides_of(plane, cells[i].polygon()));
+      sides.push_back(bodies[i].sides_of(plane));
     }
     for (std::size_t a = 0; a < near.size(); ++a) {
       for (std::size_t b = 0; b < near.size(); ++b) {
         const bool reaches_farther =
             (sides[b].front && !sides[a].front) || (sides[b].back && !sides[a].back);
-        if (reaches_farther &&
-            is_nearer_than(cells[near[a]].polygon(), cells[near[b]].polygon(), contact_)) {
+        if (reaches_farther && bodies[near[a]].is_near(bodies[near[b]], contact_)) {
           lends.emplace_back(near[a], near[b]);
         }
       }

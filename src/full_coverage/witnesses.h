@@ -12,7 +12,8 @@ namespace viewcover {
 /// Places on elements that images must show, and which regions see them: the columns of the cover
 /// that full coverage asks for, and of its lower bound.
 ///
-/// Each lies in its element exactly, on no other surface and in the plane of no region. So a
+/// Each lies in its element exactly, on no other surface and in the plane of no polygon of the
+/// region. So a
 /// viewpoint that sees one sees it from all places near by, and every cell that the viewpoint lies
 /// in sees it from a part that has area (papers/full-coverage.md).
 /// Concurrent reads are safe.

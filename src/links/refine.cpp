@@ -37,15 +37,45 @@ constexpr double kSoonEnough = 0.5;
 struct RegionNode : PlanarPolygon {
   RegionAddress address;
   double area = 0;
+  bool is_face = false;          ///< of a cell: looks to its front only
+  bool lies_on_surface = false;  ///< of a face: may do, to be precise
+
+  bool looks_at(std::span<const Point> corners) const {
+    return !is_face ||
+           std::ranges::any_of(corners, [&](const Point& x) { return plane.side(x) > 0; });
+  }
+  /// Also true of whatever is seen behind, unless a surface is between.
+  bool looks_at_all_of(std::span<const Point> corners) const {
+    return !lies_on_surface ||
+           std::ranges::all_of(corners, [&](const Point& x) { return plane.side(x) >= 0; });
+  }
 };
+
+std::array<Point, 8> corners_of(const Box& box) {
+  std::array<Point, 8> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners[static_cast<std::size_t>(k)] = box.corner(static_cast<Box::CornerType>(k));
+  }
+  return corners;
+}
+
+/// Is a surface in the plane of the polygon, and near it there?
+bool may_lie_on_surface(const ConvexPolygon& polygon, const Plane& plane, const Scene& scene) {
+  const Box box = bounding_box(polygon);
+  return std::ranges::any_of(scene.surfaces, [&](const Surface& surface) {
+    return bounding_box(surface.polygon).intersects(box) &&
+           std::ranges::all_of(surface.polygon,
+                               [&](const Point& corner) { return plane.side(corner) == 0; });
+  });
+}
 
 /// All nodes of the quadtrees over the region's polygons, and the faces of its cells, which are not
 /// subdivided.
 class RegionNodes {
  public:
-  explicit RegionNodes(const ViewingRegion& region)
+  RegionNodes(const ViewingRegion& region, const Scene& scene)
       : level_(region.level), polygons_(region.polygon_count()) {
-    nodes_.resize(polygons_ * offset(level_ + 1) + region.face_regions.size());
+    nodes_.resize(polygons_ * offset(level_ + 1) + region.face_count());
     for (std::size_t p = 0; p < region.parts.size(); ++p) {
       const PartId part(p);
       const Plane plane(region.parts[p]);
@@ -58,6 +88,8 @@ class RegionNodes {
           node.polygon = level == 0 ? region.parts[p] : node.polygon;
           node.plane = plane;
           node.area = area(node.polygon);
+          node.is_face = region.is_face(address);
+          node.lies_on_surface = node.is_face && may_lie_on_surface(node.polygon, plane, scene);
           if (level == finest) continue;
           const auto children = quarters(node.polygon);
           for (int digit = 0; digit < 4; ++digit) {
@@ -119,7 +151,7 @@ class Refinement {
       : scene_(scene),
         clusters_(clusters),
         occluders_(scene, clusters, region),
-        regions_(region),
+        regions_(region, scene),
         backend_(backend),
         options_(options),
         progress_(progress) {
@@ -128,7 +160,7 @@ class Refinement {
     }
     surfaces_per_batch_ = scene.surfaces.size() * region.parts.size() / kBatches;
     total_pairs_ *= static_cast<double>(region.polygon_count() * region.regions_per_part() +
-                                        region.face_regions.size());
+                                        region.face_count());
   }
 
   /// A part of the region and a cluster, with the occluders that may be between them.
@@ -205,17 +237,19 @@ class Refinement {
       element.area = area(element.polygon);
       return visit_element(region, element, candidates);
     }
-    const Shaft shaft(occluders_, region, node.box);
-    ShaftOccluders kept;
-    LinkSet links;
-    if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
+    const auto all_hidden = [&](Verdict verdict) {
+      LinkSet links;
       for (std::uint32_t i = 0; i < node.count; ++i) {
-        if (scene_[clusters_.surface(OccluderId(node.first + i))].is_target) {
-          links.count(Verdict::kHiddenByOne);
-        }
+        if (scene_[clusters_.surface(OccluderId(node.first + i))].is_target) links.count(verdict);
       }
       report(pairs_of(node) * regions_.leaves(region), 0);
       return links;
+    };
+    if (!region.looks_at(corners_of(node.box))) return all_hidden(Verdict::kHiddenNotFacing);
+    const Shaft shaft(occluders_, region, node.box);
+    ShaftOccluders kept;
+    if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
+      return all_hidden(Verdict::kHiddenByOne);
     }
     const std::array<ClusterNode, 2> children = {index + 1, node.right};
     const bool parallel = node.count * regions_.leaves(region) > kPairsPerTask;
@@ -274,7 +308,7 @@ class Refinement {
   /// otherwise `kept` holds the occluders left in its shaft.
   bool settle(Shaft& shaft, const RegionNode& region, const ElementNode& element,
               Candidates candidates, ShaftOccluders& kept, LinkSet& links) const {
-    if (!shaft.is_facing()) {
+    if (!shaft.is_facing() || !region.looks_at(element.polygon)) {
       links.count(Verdict::kHiddenNotFacing);
       return true;
     }
@@ -299,7 +333,9 @@ class Refinement {
       }
     }
     // Full visibility holds for all parts, unless some of the region is behind the element.
-    if (!finest && !(verdict == Verdict::kFullyVisible && shaft.is_wholly_facing())) return false;
+    const bool holds_for_parts = verdict == Verdict::kFullyVisible && shaft.is_wholly_facing() &&
+                                 region.looks_at_all_of(element.polygon);
+    if (!finest && !holds_for_parts) return false;
     SmallList<OccluderId, 96> list;
     for (const ShaftOccluder& occluder : kept) {
       list.emplace_back(clusters_.nodes()[occluder.node].first);

@@ -53,10 +53,12 @@ VisibilityMatrix make_visibility_matrix(const Scene& scene, const ViewingRegion&
     const auto end = std::find_if_not(begin, matrix.elements.end(), [&](ElementAddress address) {
       return link.element.contains(address);
     });
-    region.for_each_region(link.region, [&](std::size_t row) {
-      matrix.bits.set_range(row, static_cast<std::size_t>(begin - matrix.elements.begin()),
+    const std::size_t first_row = region.first_index(link.region);
+    for (std::size_t k = 0; k < region.index_count(link.region); ++k) {
+      matrix.bits.set_range(first_row + k,
+                            static_cast<std::size_t>(begin - matrix.elements.begin()),
                             static_cast<std::size_t>(end - begin));
-    });
+    }
   }
   return matrix;
 }

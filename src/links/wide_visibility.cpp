@@ -48,9 +48,10 @@ WideVisibility find_wide_visibility(const Scene& scene, const ViewingRegion& reg
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Link link = links[i];
     const auto [first, last] = columns_of(link.element, matrix.elements);
-    region.for_each_region(link.region, [&, first = first, last = last](std::size_t row) {
-      seen.set_range(row, first, last - first);
-    });
+    const std::size_t first_row = region.first_index(link.region);
+    for (std::size_t k = 0; k < region.index_count(link.region); ++k) {
+      seen.set_range(first_row + k, first, last - first);
+    }
   }
   for (std::size_t row = 0; row < seen.rows(); ++row) {
     std::ranges::transform(wide.bits.row(row), seen.row(row), wide.bits.row(row).begin(),
@@ -62,13 +63,13 @@ WideVisibility find_wide_visibility(const Scene& scene, const ViewingRegion& reg
 bool is_narrow(const Link& link, const ViewingRegion& region, const VisibilityMatrix& matrix,
                const WideVisibility& wide) {
   const auto [first, last] = columns_of(link.element, matrix.elements);
-  bool is_wide = false;
-  region.for_each_region(link.region, [&, first = first, last = last](std::size_t row) {
+  const std::size_t first_row = region.first_index(link.region);
+  for (std::size_t k = 0; k < region.index_count(link.region); ++k) {
     for (std::size_t column = first; column < last; ++column) {
-      is_wide = is_wide || wide.bits.test(row, column);
+      if (wide.bits.test(first_row + k, column)) return false;
     }
-  });
-  return !is_wide;
+  }
+  return true;
 }
 
 }  // namespace viewcover

@@ -38,12 +38,10 @@ void require_size(const std::filesystem::path& file, std::string_view what, std:
 void read_faces(const std::filesystem::path& file, RunData& run) {
   const CsvTable table(file);
   for (std::size_t row = 0; row < table.size(); ++row) {
-    std::vector<std::size_t> regions = table.counts(row, "regions");
-    for (std::size_t& region : regions) {
-      region = place_of(region, run.regions.size(), table.place(row));
-    }
+    const std::size_t region =
+        place_of(table.count(row, "region"), run.regions.size(), table.place(row));
     const auto address = RegionAddress::from_file(table.count(row, "part"), 0, 0);
-    if (!address || !run.face_regions.emplace(address->owner(), std::move(regions)).second) {
+    if (!address || !run.face_regions.emplace(address->owner(), region).second) {
       throw InputError(table.place(row), "is no face of its own", "give the folder of one run");
     }
   }

@@ -33,8 +33,8 @@ struct RunData {
   std::vector<double> areas;  ///< of the elements, scene units squared
   std::vector<RegionShape> regions;
   std::vector<RegionAddress> region_addresses;  ///< ascending
-  /// Regions that each face of boxes belongs to, by its part.
-  std::map<PartId, std::vector<std::size_t>> face_regions;
+  /// The region that each face of boxes is of, by its part.
+  std::map<PartId, std::size_t> face_regions;
   BitRows seen;  ///< #regions x #elements
   std::vector<CoverRow> covers;
   std::vector<ViewpointRow> viewpoints;

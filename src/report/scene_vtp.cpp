@@ -49,12 +49,9 @@ Cells cells_of(const Solution& solution) {
   for (std::size_t i = 0; i < region.polygon_count() * region.regions_per_part(); ++i) {
     cells.add(region.polygon(region.address(i)), {kRegion, 0, 0, chosen[i], 0, 0});
   }
-  // Of boxes each face once: chosen if a region that it belongs to is.
-  for (std::size_t face = 0; face < region.face_regions.size(); ++face) {
-    const bool of_chosen = std::ranges::any_of(
-        region.face_regions[face], [&](std::uint32_t number) { return chosen[number] != 0; });
-    cells.add(region.parts[region.polygon_count() + face],
-              {kRegion, 0, 0, of_chosen ? 1u : 0u, 0, 0});
+  for (std::size_t part = region.polygon_count(); part < region.parts.size(); ++part) {
+    const std::size_t of_region = region.first_index(RegionAddress(PartId(part)));
+    cells.add(region.parts[part], {kRegion, 0, 0, chosen[of_region], 0, 0});
   }
   return cells;
 }

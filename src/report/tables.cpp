@@ -128,17 +128,11 @@ void write_faces(const Solution& solution, const std::filesystem::path& file) {
   }
   constexpr std::size_t kCorners = 4;
   FileWriter out(file);
-  out << "part,regions";
+  out << "part,region";
   write_corner_titles(out, kCorners);
   out << '\n';
-  for (std::size_t face = 0; face < region.face_regions.size(); ++face) {
-    const std::size_t part = region.polygon_count() + face;
-    out << part + 1 << ',';
-    const std::vector<std::uint32_t>& regions = region.face_regions[face];
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-      if (i > 0) out << ' ';
-      out << regions[i] + 1;
-    }
+  for (std::size_t part = region.polygon_count(); part < region.parts.size(); ++part) {
+    out << part + 1 << ',' << region.first_index(RegionAddress(PartId(part))) + 1;
     write_corners(out, region.parts[part], kCorners);
     out << '\n';
   }

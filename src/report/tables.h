@@ -21,9 +21,9 @@ namespace viewcover {
 /// of k are set. Where there are boxes, a last column has their `volume`, empty for polygons.
 void write_regions(const Solution& solution, const std::filesystem::path& file);
 
-/// `part,regions,x0,y0,z0,...,z3`: the faces of boxes, each once, by which links name them; the
-/// regions a face belongs to are numbers separated by spaces. No file without boxes, nor one of an
-/// earlier run.
+/// `part,region,x0,y0,z0,...,z3`: the faces of boxes, by which links name them, with the region
+/// each is a face of; its front is to that region. No file without boxes, nor one of an earlier
+/// run.
 void write_faces(const Solution& solution, const std::filesystem::path& file);
 
 /// `element,surface,group,level,path,cx,cy,cz,area,times_visible,x0,y0,z0,...`; with an aperture

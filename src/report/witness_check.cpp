@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "optim/cover_file.h"
 #include "report/audit_files.h"
@@ -76,7 +77,11 @@ class WitnessChecker {
   std::string crossed() const {
     const CsvTable table(folder_ / "regions.csv");
     std::vector<ConvexPolygon> regions;
-    for (std::size_t row = 0; row < table.size(); ++row) regions.push_back(corners_in(table, row));
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      const std::optional<RegionShape> shape = region_in(table, row);
+      // A box is seen edge-on from nowhere; a region that is none is another check's to refuse.
+      regions.push_back(shape && !shape->is_box() ? shape->polygon() : ConvexPolygon());
+    }
     const auto contains = [&](const Point& x, std::size_t surface) {
       const ConvexPolygon& polygon = bundle_.scene.surfaces[surface].polygon;
       return bounding_box(polygon).contains(x) && lies_in(x, polygon);
@@ -91,6 +96,7 @@ class WitnessChecker {
         return;
       }
       for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (regions[r].empty()) continue;
         if (orientation(regions[r][0], regions[r][1], regions[r][2], place) != 0) continue;
         wrong[i] = fmt::format("witness {} lies in the plane of region {}", i + 1, r + 1);
         return;

@@ -28,8 +28,8 @@ std::array<ConvexPolygon, 6> box_faces(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     ConvexPolygon low(4, box.min());
-    low[1][v] = low[2][v] = box.max()[v];
-    low[2][u] = low[3][u] = box.max()[u];
+    low[1][u] = low[2][u] = box.max()[u];
+    low[2][v] = low[3][v] = box.max()[v];
     ConvexPolygon high(low.rbegin(), low.rend());
     for (Point& corner : high) corner[axis] = box.max()[axis];
     faces[static_cast<std::size_t>(2 * axis)] = std::move(low);
@@ -68,7 +68,7 @@ std::array<RegionShape, 4> RegionShape::quarters() const {
 ConvexPolygon RegionShape::picture() const {
   if (!box_) return polygon_;
   const int axis = shortest_side(*box_);
-  ConvexPolygon section = box_faces(*box_)[static_cast<std::size_t>(2 * axis + 1)];
+  ConvexPolygon section = box_faces(*box_)[static_cast<std::size_t>(2 * axis)];
   for (Point& corner : section) corner[axis] = 0.5 * (box_->min()[axis] + box_->max()[axis]);
   return section;
 }

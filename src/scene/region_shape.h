@@ -33,7 +33,7 @@ class RegionShape {
   /// True iff the point, taken exactly, lies in the closed polygon or box. Exact.
   bool contains(const Point& point) const;
   /// The polygons from which, together, all is seen that is seen from here, if the box is free of
-  /// surfaces (paper, section 3): the polygon, or the six faces.
+  /// surfaces (paper, section 3): the polygon, or the six faces with their fronts inward.
   std::vector<ConvexPolygon> faces() const;
   /// The four nodes below. `quarters` of a polygon; a box is cut in the middle of its longest side,
   /// and the halves again: cells become cubes as far as they can. Of sides of the same length, the
@@ -54,7 +54,7 @@ class RegionShape {
 };
 
 /// The faces across x, y and z, each at the least and the greatest coordinate, with the front
-/// outward.
+/// inward.
 std::array<ConvexPolygon, 6> box_faces(const Box& box);
 
 /// The node below `root` that `address` names. Cost: one `quarters` a level.

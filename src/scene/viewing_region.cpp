@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -303,23 +301,11 @@ RegionFile parse_json_region(const std::string& content, const std::string& file
 ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
                                   int level) {
   ViewingRegion region{.parts = std::move(polygons), .level = level, .boxes = std::move(boxes)};
-  const std::size_t per_part = region.regions_per_part();
-  auto number = static_cast<std::uint32_t>(region.parts.size() * per_part);
-  std::map<std::array<double, 6>, std::size_t> known;  // by least and greatest corner
   for (const Box& box : region.boxes) {
-    for (std::size_t path = 0; path < per_part; ++path, ++number) {
-      const RegionShape cell =
-          subdivided(RegionShape(box), RegionAddress(PartId(std::size_t{0}), level, path));
-      for (ConvexPolygon& face : cell.faces()) {
-        const Box extent = bounding_box(face);
-        const Point &a = extent.min(), &b = extent.max();
-        const auto [place, is_new] = known.try_emplace({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()},
-                                                       region.face_regions.size());
-        if (is_new) {
-          region.parts.push_back(std::move(face));
-          region.face_regions.emplace_back();
-        }
-        region.face_regions[place->second].push_back(number);
+    for (std::size_t path = 0; path < region.regions_per_part(); ++path) {
+      const RegionAddress address(PartId(std::size_t{0}), level, path);
+      for (ConvexPolygon& face : subdivided(RegionShape(box), address).faces()) {
+        region.parts.push_back(std::move(face));
       }
     }
   }
@@ -336,7 +322,7 @@ ViewingRegion load_viewing_region(const std::filesystem::path& file, const Latti
     read = parse_json_region(read_text(file), file.string(), lattice);
   }
   // Addresses name polygons, boxes and the faces of cells.
-  constexpr std::size_t kLimit = RegionAddress::kOwnerLimit, kFaces = 6;
+  constexpr std::size_t kLimit = RegionAddress::kOwnerLimit, kFaces = ViewingRegion::kFacesOfCell;
   const std::size_t faces = read.boxes.size() << (2 * level);
   if (read.polygons.size() + read.boxes.size() >= kLimit || faces >= kLimit / kFaces / 2) {
     throw InputError(

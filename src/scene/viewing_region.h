@@ -16,17 +16,19 @@ namespace viewcover {
 /// polygons and free axis-parallel boxes. Each is subdivided into 4^level viewing regions: a
 /// polygon by a uniform quadtree, a box into boxes, its cells (RegionShape::quarters).
 ///
-/// What is seen from a cell is what is seen from its six faces (paper, section 3), so visibility is
-/// computed for `parts`: the polygons, and each face of a cell once, whole. Regions and faces are
-/// told apart by the owner of their address: polygons count first, then faces, then boxes.
+/// What is seen from a cell is what its six faces see through it (paper, section 3;
+/// papers/volumes.md), so visibility is computed for `parts`: the polygons, and the faces of cells,
+/// whole, each with its front to the cell. Regions and faces are told apart by the owner of their
+/// address: polygons count first, then faces, then boxes.
 struct ViewingRegion {
-  std::vector<ConvexPolygon> parts;  ///< polygons, then faces of cells; indexed by PartId
+  static constexpr std::size_t kFacesOfCell = 6;
+
+  std::vector<ConvexPolygon> parts;  ///< polygons, then faces cell by cell; indexed by PartId
   int level = 0;                     ///< regions a polygon or box: 4^level
   std::vector<Box> boxes{};
-  /// Of each face of a cell, in the order of `parts`: the numbers of the regions it is a face of.
-  std::vector<std::vector<std::uint32_t>> face_regions{};
 
-  std::size_t polygon_count() const { return parts.size() - face_regions.size(); }
+  std::size_t face_count() const { return kFacesOfCell * boxes.size() * regions_per_part(); }
+  std::size_t polygon_count() const { return parts.size() - face_count(); }
   std::size_t regions_per_part() const { return std::size_t{1} << (2 * level); }
   std::size_t region_count() const { return (polygon_count() + boxes.size()) * regions_per_part(); }
 
@@ -38,29 +40,20 @@ struct ViewingRegion {
   /// Region number `index` in [0, region_count()): polygons in turn, then boxes, each in quadtree
   /// order.
   RegionAddress address(std::size_t index) const {
-    const std::size_t owner = index / regions_per_part(), faces = face_regions.size();
-    return {PartId(owner < polygon_count() ? owner : owner + faces), level,
+    const std::size_t owner = index / regions_per_part();
+    return {PartId(owner < polygon_count() ? owner : owner + face_count()), level,
             index % regions_per_part()};
   }
-  /// The regions below a node of a polygon or box are the numbers [first, first + count).
+  /// The regions below a node of a polygon or box, or the one that a face is of, are the numbers
+  /// [first, first + count): they see what is seen from the node.
   std::size_t first_index(RegionAddress node) const {
-    const std::size_t owner = node.owner().value - (is_in_box(node) ? face_regions.size() : 0);
-    return owner * regions_per_part() + (node.path() << (2 * (level - node.level())));
+    const std::size_t owner = node.owner().value, polygons = polygon_count();
+    if (is_face(node)) return polygons * regions_per_part() + (owner - polygons) / kFacesOfCell;
+    return (owner - (is_in_box(node) ? face_count() : 0)) * regions_per_part() +
+           (node.path() << (2 * (level - node.level())));
   }
   std::size_t index_count(RegionAddress node) const {
-    return std::size_t{1} << (2 * (level - node.level()));
-  }
-  /// Calls visit(number) for each region that sees what is seen from a node of `parts`.
-  template <class Visit>
-  void for_each_region(RegionAddress node, const Visit& visit) const {
-    if (is_face(node)) {
-      for (const std::uint32_t region : face_regions[node.owner().value - polygon_count()]) {
-        visit(std::size_t{region});
-      }
-      return;
-    }
-    const std::size_t first = first_index(node), count = index_count(node);
-    for (std::size_t i = first; i < first + count; ++i) visit(i);
+    return is_face(node) ? 1 : std::size_t{1} << (2 * (level - node.level()));
   }
 
   /// Requires a node that is not in a box.
@@ -73,8 +66,8 @@ struct ViewingRegion {
   }
 };
 
-/// The region of polygons and boxes, with the faces of the cells: one that several cells have
-/// counts once. Boxes have a volume. Cost: O(n log n) for n cells.
+/// The region of polygons and boxes, with the faces of the cells. Boxes have a volume. Cost: O(n)
+/// for n cells.
 ViewingRegion make_viewing_region(std::vector<ConvexPolygon> polygons, std::vector<Box> boxes,
                                   int level);
 
@@ -116,8 +109,8 @@ struct RegionCheck {
 /// box than within (a room round a region is no object). "Wholly outside" is judged by the part's
 /// bounding box and its plane, so a part that passes a corner of the box may be accepted.
 ///
-/// A box is judged as a whole, and its faces for clearance and closed objects. A face that lies on
-/// a surface is allowed and sees both sides of it, as a polygon there does.
+/// A box is judged as a whole, and its faces for clearance and closed objects. A face may lie on a
+/// surface: it looks through its box, away from that.
 /// Errors: InputError that names the first such part and the first few faces (1-based, as in the
 /// file) and groups concerned; at `--clearance` for one that is negative or not finite.
 /// Cost: O(n log n) for n surfaces and O(n) a part, under 0.1 s for 16,000 surfaces; with a

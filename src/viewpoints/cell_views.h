@@ -14,9 +14,6 @@ struct RegionCell {
   RegionAddress address;
   std::size_t region = 0;
   RegionShape shape;
-
-  /// Requires a node of a polygon.
-  const ConvexPolygon& polygon() const { return shape.polygon(); }
 };
 
 /// What parts of regions see, by columns: what a lower bound is proved from. A part sees no more

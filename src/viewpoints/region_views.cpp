@@ -9,6 +9,15 @@
 #include "viewpoints/column_bits.h"
 
 namespace viewcover {
+namespace {
+
+/// A face of a cell looks through it only, to the front (papers/volumes.md).
+bool is_in_front(const PlanarPolygon& face, std::span<const Point> points) {
+  return std::ranges::any_of(points, [&](const Point& x) { return face.plane.side(x) > 0; });
+}
+
+}  // namespace
+
 RegionViews::RegionViews(const ViewedScene& viewed)
     : viewed_(viewed),
       occluders_(viewed.scene, viewed.clusters, viewed.region),
@@ -76,7 +85,7 @@ std::vector<OccluderId> RegionViews::add_box(std::size_t region) {
     const bool is_same = surface == owner;
     if (!is_same) is_hidden = hides_surface(owner);
     surface = owner;
-    // From outside the box only: a face that lies on a surface looks out on both sides.
+    // Seen by nothing but a face on a surface, past the edge of which the element comes in front.
     if (is_hidden) return;
     if (cull(Shaft(occluders_, elements_[column], box), of_surface, kOpenAll, kept)) return;
     const auto number = static_cast<std::uint32_t>(column);
@@ -192,7 +201,7 @@ std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
   for (const PlanarPolygon& face : faces_of(address, positions_[region].region())) {
     Shaft shaft(occluders_, address, face, viewed_.matrix.elements[column], elements_[column],
                 viewed_.one_sided);
-    if (!shaft.is_facing()) continue;
+    if (!shaft.is_facing() || (is_box && !is_in_front(face, elements_[column].polygon))) continue;
     ShaftOccluders kept(occluders.begin(), occluders.end());
     if (is_box && cull(shaft, occluders, kOpenAll, kept)) continue;
     shaft.set_occluders(kept);
@@ -214,7 +223,8 @@ std::vector<PlanarPolygon> RegionViews::faces_of(RegionAddress address,
 
 bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
   return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
-    return face_sees(cell, face, column);
+    return (!cell.shape.is_box() || is_in_front(face, elements_[column].polygon)) &&
+           face_sees(cell, face, column);
   });
 }
 
@@ -231,16 +241,23 @@ bool RegionViews::face_sees(const RegionCell& cell, const PlanarPolygon& face,
 }
 
 bool RegionViews::cell_sees_place(const RegionCell& cell, const ElementTarget& target) const {
-  if (std::ranges::none_of(cell.polygon(),
+  return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
+    return (!cell.shape.is_box() || face.plane.side(target.place) > 0) &&
+           face_sees_place(cell, face, target);
+  });
+}
+
+bool RegionViews::face_sees_place(const RegionCell& cell, const PlanarPolygon& face,
+                                  const ElementTarget& target) const {
+  if (std::ranges::none_of(face.polygon,
                            [&](const Point& corner) { return is_facing(target.column, corner); })) {
     return false;
   }
-  // Sight lines run both ways: the place looks at the cell.
+  // Sight lines run both ways: the place looks at the face.
   const RegionAddress address = cell.address;
-  const PlanarPolygon planar{cell.polygon(), Plane(viewed_.region.parts[address.owner().value])};
   PointShaft shaft(
       occluders_, target.place,
-      ElementAddress(SurfaceId(address.owner().value), address.level(), address.path()), planar,
+      ElementAddress(SurfaceId(address.owner().value), address.level(), address.path()), face,
       false);
   PointShaftOccluders kept;
   if (shaft.cull(stored_occluders(cell.region, target.column), kept)) return false;

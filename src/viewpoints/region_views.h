@@ -86,10 +86,9 @@ class RegionViews : public CellViews {
   /// theorem.
   bool cell_sees(const RegionCell& cell, std::size_t column) const override;
 
-  /// Does a part of the cell that has area see a place on an element that the region sees? Requires
-  /// a polygon, and a place whose difference to any corner is exact, in the plane of no region.
-  /// Conservative for
-  /// one-sided elements whose plane cuts the cell.
+  /// Does a part of the cell that has area, of a box volume, see a place on an element that the
+  /// region sees? Requires a place whose difference to any corner is exact, in the plane of no
+  /// polygon of the region. Conservative for one-sided elements whose plane cuts the cell.
   bool cell_sees_place(const RegionCell& cell, const ElementTarget& target) const;
 
   /// Is the position off the plane of an element and, if only fronts count, before it? Exact.
@@ -116,6 +115,8 @@ class RegionViews : public CellViews {
   std::vector<OccluderId> add_box(std::size_t region);
   std::vector<PlanarPolygon> faces_of(RegionAddress address, const RegionShape& shape) const;
   bool face_sees(const RegionCell& cell, const PlanarPolygon& face, std::size_t column) const;
+  bool face_sees_place(const RegionCell& cell, const PlanarPolygon& face,
+                       const ElementTarget& target) const;
   bool sees(const PartialColumn& partial, const Point& position,
             const std::optional<ElementTarget>& target) const;
   /// The occluders stored with the link of region and column; none if it is seen fully.

@@ -83,6 +83,42 @@ std::vector<GalleryCase> galleries() {
 
 INSTANTIATE_TEST_SUITE_P(Known, Galleries, ::testing::ValuesIn(galleries()), name_of);
 
+// A comb whose teeth are too narrow to be looked into from beside; boxes up to its walls.
+TEST(FullSearch, BoxesNeedAsManyAsTheArtGalleryNumber) {
+  const GalleryCase comb{.name = "comb of boxes",
+                         .outer = {{0, 0},
+                                   {10, 0},
+                                   {10, 6},
+                                   {9, 6},
+                                   {9, 1},
+                                   {6, 1},
+                                   {6, 6},
+                                   {5, 6},
+                                   {5, 1},
+                                   {1, 1},
+                                   {1, 6},
+                                   {0, 6}},
+                         .holes = {},
+                         .optimum = 3,
+                         .guards = {},
+                         .witnesses = {}};
+  const auto gallery = solved_gallery(comb, 1, 4);
+  std::vector<Box> boxes = {Box(Point(0, 0, 0.5), Point(10, 1, 1.5))};
+  for (const double x : {0, 5, 9}) boxes.emplace_back(Point(x, 1, 0.5), Point(x + 1, 6, 1.5));
+  for (const int level : {0, 1}) {
+    if (level > 0 && sanitized()) continue;
+    const SolvedScene solved(gallery->scene, make_viewing_region({}, boxes, level), 4);
+    const ViewpointSet set = full_coverage_of(solved);
+    EXPECT_EQ(set.lower_bound, 3u) << "level " << level;
+    EXPECT_EQ(set.viewpoints.size(), 3u) << "level " << level;
+    EXPECT_TRUE(set.missing.empty());
+    EXPECT_LE(unseen_area(solved, set.viewpoints), 1e-3 * unseen_area(solved, {}));
+    for (const Viewpoint& viewpoint : set.viewpoints) {
+      EXPECT_TRUE(solved.views.positions(viewpoint.region).region().contains(viewpoint.position));
+    }
+  }
+}
+
 GalleryCase gallery_named(const std::string& name) {
   const std::vector<GalleryCase> cases = gallery_cases();
   return *std::ranges::find(cases, name, &GalleryCase::name);

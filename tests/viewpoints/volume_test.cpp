@@ -286,6 +286,44 @@ TEST(Volume, PartsOfABoxSeeWhatTheirPointsSee) {
   EXPECT_GT(seen, testing::sanitized() ? 5u : 100u);
 }
 
+// Two boxes on a plate, with a screen of no thickness between them; of a strip that goes down past
+// the plate only the upper half can be seen.
+TEST(Volume, AFaceOnASurfaceLooksAwayFromIt) {
+  const auto upright = [](double x, double from, double to) {
+    return ConvexPolygon{{x, 0, from}, {x, 2, from}, {x, 2, to}, {x, 0, to}};
+  };
+  const std::vector<ConvexPolygon> polygons{
+      testing::horizontal(-9, -9, 9, 9, 0),                         // plate
+      ConvexPolygon{{0, -9, 0}, {0, 9, 0}, {0, 9, 9}, {0, -9, 9}},  // screen
+      upright(-4, 1, 2),
+      upright(4, 1, 2),                       // one on each side
+      testing::horizontal(-2, 0, -1, 1, -1),  // below the plate
+      upright(6, -2, 2),                      // a strip
+  };
+  const ViewingRegion region = make_viewing_region(
+      {}, {Box(Point(-2, 0, 0), Point(0, 1, 1)), Box(Point(0, 0, 0), Point(2, 1, 1))}, 0);
+  const SolvedScene solved(testing::scene_of(polygons), region, 1);
+  std::array<std::array<std::size_t, 6>, 2> seen{};
+  for (std::size_t column = 0; column < solved.views.column_count(); ++column) {
+    const ElementAddress address = solved.matrix.elements[column];
+    const ConvexPolygon& polygon = polygons[address.owner().value];
+    const double top = bounding_box(subdivided(polygon, address)).max().z();
+    for (std::size_t box = 0; box < 2; ++box) {
+      if (!solved.matrix.bits.test(box, column)) continue;
+      ++seen[box][address.owner().value];
+      EXPECT_TRUE(top > 0 || address.owner().value == 0) << "below the plate";
+    }
+  }
+  for (std::size_t box = 0; box < 2; ++box) {
+    EXPECT_GT(seen[box][0], 0u) << "the plate";
+    EXPECT_GT(seen[box][1], 0u) << "the screen";
+    EXPECT_EQ(seen[box][2] > 0, box == 0);
+    EXPECT_EQ(seen[box][3] > 0, box == 1);
+    EXPECT_EQ(seen[box][4], 0u);
+    EXPECT_EQ(seen[box][5] > 0, box == 1) << "no strip through the screen";
+  }
+}
+
 TEST(Volume, ViewpointsLieInTheirBoxes) {
   // One viewpoint under each chimney; the box is one region, and the bound is raised from there.
   const int count = testing::sanitized() ? 2 : 3;
