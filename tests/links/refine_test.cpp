@@ -53,6 +53,16 @@ class HideAtRandom : public RegionBackend {
   }
 };
 
+/// As it may be said of occluders that sight lines only start on.
+class SayFullyVisible : public RegionBackend {
+ public:
+  std::string_view name() const override { return "say-fully-visible"; }
+  Guarantee guarantee() const override { return Guarantee::kVisibleIsCertain; }
+  Verdict decide(const Shaft& /*shaft*/, Effort /*effort*/) const override {
+    return Verdict::kFullyVisible;
+  }
+};
+
 struct RefineCase {
   Scene scene;
   ClusterTree clusters;
@@ -290,6 +300,33 @@ TEST(Refine, RefusesElementsBeyondTheDeepestLevel) {
   const RefineCase setup({horizontal(0, 0, 1, 1, 1)}, 0, 1e-9);
   EXPECT_THROW(refine(setup.scene, setup.clusters, setup.region, AssumeVisible(), setup.options),
                InputError);
+}
+
+// A box on a plate and a strip beside it that goes down past the plate.
+TEST(Refine, AFaceOnASurfaceDoesNotVouchForWhatIsBehind) {
+  const ConvexPolygon strip{{0, 4, -2}, {1, 4, -2}, {1, 4, 2}, {0, 4, 2}};
+  for (const bool is_plate_there : {false, true}) {
+    std::vector<ConvexPolygon> polygons{strip};
+    if (is_plate_there) polygons.push_back(horizontal(-9, -9, 9, 9, 0));
+    const Scene scene = testing::scene_of(polygons);
+    const ViewingRegion region = make_viewing_region({}, {Box(Point(0, 0, 0), Point(1, 1, 1))}, 0);
+    const LinkSet links =
+        refine(scene, ClusterTree(scene), region, SayFullyVisible(), {.element_area = 1});
+    constexpr std::size_t kBottom = 4;
+    std::size_t from_bottom = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const auto [face, element, verdict] = links[i];
+      if (face.owner().value != kBottom || element.owner().value != 0) continue;
+      ++from_bottom;
+      const Box extent = bounding_box(subdivided(strip, element));
+      if (is_plate_there) {
+        EXPECT_GE(extent.min().z(), 0);
+      } else {
+        EXPECT_EQ(element.level(), 0) << "nothing is in the way";
+      }
+    }
+    EXPECT_GT(from_bottom, 0u);
+  }
 }
 
 TEST(DefaultElementArea, IsOnePercentOfAMeanFaceOfTheBox) {

@@ -54,6 +54,7 @@ TEST(RegionShape, HoldsItsBorder) {
   EXPECT_EQ(slab.middle(), Point(3, 3.5, 3.25));
   EXPECT_EQ(slab.surface_area(), 2 * (4 * 3 + 3 * 0.5 + 4 * 0.5));
   EXPECT_EQ(slab.picture().front().z(), 3.25);
+  EXPECT_GT(area_vector(slab.picture()).z(), 0);
   EXPECT_EQ(area(slab.picture()), 12);
 }
 

@@ -324,6 +324,27 @@ TEST(Volume, AFaceOnASurfaceLooksAwayFromIt) {
   }
 }
 
+// A plate under a part of a box: past its edge the box sees what is below, its corner on the plate
+// does not.
+TEST(Volume, APartOnASurfaceLooksAwayFromIt) {
+  const std::vector<ConvexPolygon> polygons{testing::horizontal(-9, -9, 1, 9, 0),
+                                            testing::horizontal(-3, 0, -1, 1, -3)};
+  const Box box(Point(0, 0, 0), Point(4, 1, 1));
+  const SolvedScene solved(testing::scene_of(polygons), make_viewing_region({}, {box}, 0), 100);
+  RegionCell cell{solved.region.address(0), 0, RegionShape(box)};
+  for (std::size_t column = 0; column < 2; ++column) {
+    ASSERT_TRUE(solved.matrix.bits.test(0, column));
+    EXPECT_TRUE(solved.views.cell_sees(cell, column));
+  }
+  for (int depth = 0; depth < 2; ++depth) {
+    cell = {cell.address.child(0), 0, cell.shape.quarters()[0]};
+  }
+  ASSERT_TRUE(cell.shape.contains({0, 0, 0}));
+  ASSERT_LE(cell.shape.box().max().x(), 1);
+  EXPECT_TRUE(solved.views.cell_sees(cell, 0));
+  EXPECT_FALSE(solved.views.cell_sees(cell, 1));
+}
+
 TEST(Volume, ViewpointsLieInTheirBoxes) {
   // One viewpoint under each chimney; the box is one region, and the bound is raised from there.
   const int count = testing::sanitized() ? 2 : 3;
