@@ -1,7 +1,5 @@
 #include "scene/repair/cracks.h"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 #include <array>
 #include <boost/container_hash/hash.hpp>
@@ -12,21 +10,17 @@
 #include "scene/convex_polygon.h"
 #include "scene/predicates.h"
 #include "scene/repair/convex_parts.h"
+#include "scene/repair/grown_box.h"
 
 namespace viewcover {
 namespace {
 
-/// A vertex or an edge with its bounding box, grown by half of the width.
+/// What a box is of.
 struct Thing {
-  std::uint32_t face = 0, number = 0;  ///< a vertex: the number alone
+  std::uint32_t face = 0,
+                number = 0;  ///< an edge; of a vertex the number alone, of a face the face
 };
-using GrownBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Thing>;
-
-GrownBox grown_box(const Point& a, const Point& b, double margin, const Thing& thing) {
-  const Point least = a.cwiseMin(b) - Point::Constant(margin),
-              most = a.cwiseMax(b) + Point::Constant(margin);
-  return {CGAL::Bbox_3(least.x(), least.y(), least.z(), most.x(), most.y(), most.z()), thing};
-}
+using ThingBox = GrownBox<Thing>;
 
 class CrackFinder {
  public:
@@ -37,22 +31,22 @@ class CrackFinder {
       const PolygonSoup::Face& corners = soup.faces[face];
       for (std::uint32_t k = 0; k < corners.size(); ++k) {
         is_used[first_[corners[k]]] = 1;
-        edges_.push_back(grown_box(soup.vertices[corners[k]],
-                                   soup.vertices[corners[(k + 1) % corners.size()]], width / 2,
-                                   {face, k}));
+        const Point& end = soup.vertices[corners[(k + 1) % corners.size()]];
+        edges_.push_back(grown_box(bounding_box(std::array{soup.vertices[corners[k]], end}),
+                                   width / 2, Thing{face, k}));
       }
     }
     for (std::uint32_t i = 0; i < is_used.size(); ++i) {
       if (is_used[i] == 0) continue;
       const Point& place = soup.vertices[i];
-      vertices_.push_back(grown_box(place, place, width / 2, {0, i}));
+      vertices_.push_back(grown_box(Box(place, place), width / 2, Thing{0, i}));
     }
   }
 
   std::vector<NearVertices> apart() {
     std::vector<NearVertices> found;
     CGAL::box_self_intersection_d(
-        vertices_.begin(), vertices_.end(), [&](const GrownBox& a, const GrownBox& b) {
+        vertices_.begin(), vertices_.end(), [&](const ThingBox& a, const ThingBox& b) {
           const auto [first, second] = std::minmax({a.info().number, b.info().number});
           const double distance = (soup_.vertices[first] - soup_.vertices[second]).norm();
           if (distance <= width_) found.push_back({first, second, distance});
@@ -62,18 +56,17 @@ class CrackFinder {
     return found;
   }
 
-  /// By face and vertex.
   std::vector<VertexBesideFace> beside_faces() {
-    std::vector<GrownBox> faces;
+    std::vector<ThingBox> faces;
     for (std::uint32_t face = 0; face < soup_.faces.size(); ++face) {
       Box box;
       for (const std::uint32_t corner : soup_.faces[face]) box.extend(soup_.vertices[corner]);
-      faces.push_back(grown_box(box.min(), box.max(), width_ / 2, {face, 0}));
+      faces.push_back(grown_box(box, width_ / 2, Thing{face, 0}));
     }
     std::vector<VertexBesideFace> found;
     CGAL::box_intersection_d(
         vertices_.begin(), vertices_.end(), faces.begin(), faces.end(),
-        [&](const GrownBox& vertex, const GrownBox& face) {
+        [&](const ThingBox& vertex, const ThingBox& face) {
           const auto distance =
               distance_from_inside(soup_, vertex.info().number, face.info().face, width_);
           if (distance && *distance > 0) {
@@ -86,20 +79,22 @@ class CrackFinder {
     return found;
   }
 
-  void find_beside_edges(Cracks& cracks) {
+  std::vector<Crack> beside_edges(std::size_t& junctions) {
+    std::vector<Crack> found;
     std::vector<char> is_junction(soup_.vertices.size(), 0);
     CGAL::box_intersection_d(vertices_.begin(), vertices_.end(), edges_.begin(), edges_.end(),
-                             [&](const GrownBox& vertex, const GrownBox& edge) {
-                               look(vertex.info().number, edge.info(), cracks, is_junction);
+                             [&](const ThingBox& vertex, const ThingBox& edge) {
+                               look(vertex.info().number, edge.info(), found, is_junction);
                              });
-    cracks.junctions = static_cast<std::size_t>(std::ranges::count(is_junction, 1));
-    std::ranges::sort(cracks.beside_edges, {}, [](const Crack& crack) {
+    junctions = static_cast<std::size_t>(std::ranges::count(is_junction, 1));
+    std::ranges::sort(found, {}, [](const Crack& crack) {
       return std::tuple(crack.face, crack.edge, crack.along, crack.vertex);
     });
+    return found;
   }
 
  private:
-  void look(std::uint32_t vertex, const Thing& edge, Cracks& cracks,
+  void look(std::uint32_t vertex, const Thing& edge, std::vector<Crack>& found,
             std::vector<char>& is_junction) const {
     const PolygonSoup::Face& corners = soup_.faces[edge.face];
     const auto is_this = [&](std::uint32_t corner) { return first_[corner] == vertex; };
@@ -119,14 +114,14 @@ class CrackFinder {
     }
     const double distance = (a + along * direction - x).norm();
     if (distance <= width_) {
-      cracks.beside_edges.push_back({vertex, edge.face, edge.number, along, distance});
+      found.push_back({vertex, edge.face, edge.number, along, distance});
     }
   }
 
   const PolygonSoup& soup_;
   double width_;
   std::vector<std::uint32_t> first_;
-  std::vector<GrownBox> vertices_, edges_;
+  std::vector<ThingBox> vertices_, edges_;
 };
 
 }  // namespace
@@ -170,11 +165,24 @@ std::optional<double> distance_from_inside(const PolygonSoup& soup, std::uint32_
   return orientation(loop[0], loop[1], loop[2], x) == 0 ? 0 : std::fabs(height);
 }
 
+std::vector<NearVertices> vertices_apart(const PolygonSoup& soup, double width) {
+  return CrackFinder(soup, width).apart();
+}
+
+std::vector<Crack> vertices_beside_edges(const PolygonSoup& soup, double width) {
+  std::size_t junctions = 0;
+  return CrackFinder(soup, width).beside_edges(junctions);
+}
+
+std::vector<VertexBesideFace> vertices_beside_faces(const PolygonSoup& soup, double width) {
+  return CrackFinder(soup, width).beside_faces();
+}
+
 Cracks find_cracks(const PolygonSoup& soup, double width) {
   CrackFinder finder(soup, width);
   Cracks cracks;
   cracks.apart = finder.apart();
-  finder.find_beside_edges(cracks);
+  cracks.beside_edges = finder.beside_edges(cracks.junctions);
   cracks.beside_faces = finder.beside_faces();
   return cracks;
 }

@@ -50,9 +50,12 @@ std::optional<double> distance_from_inside(const PolygonSoup& soup, std::uint32_
 
 /// Vertices at most `width` from an edge, farther than that from its ends, from the inside of a
 /// planar face, farther than that from its edges, or from another vertex.
-/// Distances are rounded; whether a vertex lies on an edge or in a plane is decided
-/// exactly.
+/// Distances are rounded; whether a vertex lies on an edge or in a plane is decided exactly.
 /// Cost: O(n log n) for edges that are mostly far apart (boxes that meet are found by sweeping).
 Cracks find_cracks(const PolygonSoup& soup, double width);
+/// Each alone.
+std::vector<NearVertices> vertices_apart(const PolygonSoup& soup, double width);
+std::vector<Crack> vertices_beside_edges(const PolygonSoup& soup, double width);
+std::vector<VertexBesideFace> vertices_beside_faces(const PolygonSoup& soup, double width);
 
 }  // namespace viewcover

@@ -74,7 +74,7 @@ class FaceBender {
       : soup_(soup), width_(width), first_(first_at_place(soup.vertices)) {}
 
   void run(Healing& healing) {
-    const std::vector<VertexBesideFace> beside = find_cracks(soup_, width_).beside_faces;
+    const std::vector<VertexBesideFace> beside = vertices_beside_faces(soup_, width_);
     if (beside.empty()) return;
     find_neighbours();
     std::map<std::uint32_t, std::vector<PolygonSoup::Face>> triangles;
@@ -204,8 +204,8 @@ class FaceBender {
 
 Healing heal(PolygonSoup& soup, double width) {
   Healing healing;
-  move_together(soup, find_cracks(soup, width).apart, healing);
-  const std::vector<Crack> cracks = find_cracks(soup, width).beside_edges;
+  move_together(soup, vertices_apart(soup, width), healing);
+  const std::vector<Crack> cracks = vertices_beside_edges(soup, width);
   for_each_face(cracks,
                 [&](std::span<const Crack> of_face) { insert_corners(soup, of_face, healing); });
   FaceBender(soup, width).run(healing);

@@ -23,7 +23,7 @@ struct Healing {
 ///
 /// A face that would cross itself stays as it is. Faces with a new corner may no longer be planar
 /// and are triangulated when they are made convex (scene/repair/convex_faces.h); triangles of one
-/// face stay next to each other and have its number. Cost: as find_cracks, three times.
+/// face stay next to each other and have its number. Cost: as find_cracks.
 Healing heal(PolygonSoup& soup, double width);
 
 }  // namespace viewcover

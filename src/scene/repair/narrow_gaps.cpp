@@ -1,6 +1,5 @@
 #include "scene/repair/narrow_gaps.h"
 
-#include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "scene/error.h"
 #include "scene/predicates.h"
+#include "scene/repair/grown_box.h"
 
 namespace viewcover {
 namespace {
@@ -46,13 +46,7 @@ struct Connection {
 };
 
 using Interval = std::pair<double, double>;
-using NumberedBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-
-NumberedBox grown_box(std::span<const Point> points, double margin, std::size_t number) {
-  const Box box = bounding_box(points);
-  const Point low = box.min() - Point::Constant(margin), high = box.max() + Point::Constant(margin);
-  return {CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), number};
-}
+using NumberedBox = GrownBox<std::size_t>;
 
 std::vector<Edge> edges_of(const Scene& scene) {
   using Key = std::array<double, 6>;
@@ -111,10 +105,10 @@ class GapFinder {
   std::vector<NarrowGap> run() {
     std::vector<NumberedBox> edges, surfaces;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      edges.push_back(grown_box(std::array{edges_[i].a, edges_[i].b}, width_ / 2, i));
+      edges.push_back(grown_box(bounding_box(std::array{edges_[i].a, edges_[i].b}), width_ / 2, i));
     }
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
-      surfaces.push_back(grown_box(scene_.surfaces[s].polygon, width_ / 2, s));
+      surfaces.push_back(grown_box(bounding_box(scene_.surfaces[s].polygon), width_ / 2, s));
     }
     CGAL::box_self_intersection_d(edges.begin(), edges.end(),
                                   [&](const NumberedBox& a, const NumberedBox& b) {
@@ -255,7 +249,7 @@ class GapFinder {
     constexpr std::size_t kSamples = 4;
     std::vector<NumberedBox> patches;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      patches.push_back(grown_box(swept_[i], kRounding * step_, i));
+      patches.push_back(grown_box(bounding_box(swept_[i]), kRounding * step_, i));
     }
     std::vector<std::array<bool, kSamples>> lies_on(gaps_.size());
     CGAL::box_intersection_d(
