@@ -78,6 +78,22 @@ FlatPoint FlatLine::meet(const FlatLine& other) const {
           minor(a, other.b, other.a, b)};
 }
 
+void Extent::extend(const FlatPoint& point) {
+  low_u = std::min(low_u, point.near_u);
+  high_u = std::max(high_u, point.near_u);
+  low_v = std::min(low_v, point.near_v);
+  high_v = std::max(high_v, point.near_v);
+}
+
+bool Extent::is_apart_from(const Extent& other) const {
+  // Each number is off by less than 3 2^-52 of itself.
+  const auto is_less = [](double high, double low) {
+    return low - high > 0x1p-49 * (std::fabs(low) + std::fabs(high));
+  };
+  return is_less(high_u, other.low_u) || is_less(other.high_u, low_u) ||
+         is_less(high_v, other.low_v) || is_less(other.high_v, low_v);
+}
+
 FlatPolygon::FlatPolygon(std::vector<FlatPoint> corners) : corners_(std::move(corners)) {
   // The turn at the first corner that is one.
   const std::size_t n = corners_.size();
@@ -88,6 +104,11 @@ FlatPolygon::FlatPolygon(std::vector<FlatPoint> corners) : corners_(std::move(co
   if (turn < 0) std::ranges::reverse(corners_);
   lines_.reserve(n);
   for (std::size_t i = 0; i < n; ++i) lines_.emplace_back(corners_[i], corners_[(i + 1) % n]);
+  set_extent();
+}
+
+void FlatPolygon::set_extent() {
+  for (const FlatPoint& corner : corners_) extent_.extend(corner);
 }
 
 bool FlatPolygon::is_right_of(const FlatLine& line) const {
@@ -96,6 +117,7 @@ bool FlatPolygon::is_right_of(const FlatLine& line) const {
 }
 
 bool FlatPolygon::is_apart_from(const FlatPolygon& other) const {
+  if (extent_.is_apart_from(other.extent_)) return true;
   const auto has_outside = [](const FlatPolygon& p, const FlatPolygon& q) {
     return std::ranges::any_of(p.lines_, [&](const FlatLine& line) { return q.is_right_of(line); });
   };
@@ -132,6 +154,8 @@ std::optional<FlatPolygon> FlatPolygon::cut(const FlatLine& line) {
       add(right, crossing, next > 0 ? back : lines_[i]);
     }
   }
+  left.set_extent();
+  right.set_extent();
   *this = std::move(left);
   return right;
 }

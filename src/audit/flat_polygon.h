@@ -2,8 +2,10 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "exact/integers.h"
@@ -56,6 +58,16 @@ struct FlatLine {
   FlatPoint meet(const FlatLine& other) const;
 };
 
+/// A box of near coordinates. Not Eigen's, whose moves may throw: vectors would copy polygons.
+struct Extent {
+  double low_u = std::numeric_limits<double>::infinity(), low_v = low_u;
+  double high_u = -low_u, high_v = -low_u;
+
+  void extend(const FlatPoint& point);
+  /// Certainly; false proves nothing.
+  bool is_apart_from(const Extent& other) const;
+};
+
 /// A convex polygon, counter-clockwise, with the lines of its edges: line i from corner i to the
 /// next. Corners within edges are allowed.
 class FlatPolygon {
@@ -79,10 +91,15 @@ class FlatPolygon {
 
  private:
   FlatPolygon() = default;
+  void set_extent();
 
   std::vector<FlatPoint> corners_;
   std::vector<FlatLine> lines_;
+  Extent extent_;
 };
+
+// Else vectors of pieces would copy them when they grow.
+static_assert(std::is_nothrow_move_constructible_v<FlatPolygon>);
 
 /// Twice the area of a union of polygons with disjoint interiors, exact. Edges are summed line by
 /// line, where the ends that two of them share cancel: the sum has only the terms of the union's

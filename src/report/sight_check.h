@@ -16,10 +16,13 @@ namespace viewcover {
 ///  - Of an exact run: what random positions in regions see, visibility.mtx says of these regions;
 ///    what random positions in cells of the bound see of the elements that bound.mtx is about, it
 ///    says of these cells. So hidden pairs, on which the lower bounds rest, are sampled.
+///  - Of an exact run with an aperture: the same for visibility-wide.mtx in the scene with the gaps
+///    of gaps.csv closed.
 ///
-/// No claims for a bundle without viewpoints. Cost: about 15 ms a viewpoint or position for a room
-/// of 316 polygons, up to 32 positions in regions and in cells. Uses all threads of the current TBB
-/// arena. Errors: as `load_bundle_scene`, and InputError for files that cannot be read.
+/// No claims for a bundle with neither viewpoints nor gaps. Cost: about 15 ms a viewpoint or
+/// position for a room of 316 polygons, up to 32 positions in regions, in cells and with gaps
+/// closed. Uses all threads of the current TBB arena. Errors: as `load_bundle_scene`, and
+/// InputError for files that cannot be read.
 std::vector<BundleClaim> check_sights(const std::filesystem::path& folder,
                                       const std::filesystem::path& scene_file = {},
                                       std::uint64_t seed = 1);

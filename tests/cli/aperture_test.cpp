@@ -81,6 +81,8 @@ TEST_F(Aperture, TheOptimumWithAndWithoutNarrowGaps) {
   const Outcome verified = viewcover_run({"verify", bundle_});
   EXPECT_EQ(verified.exit_code, 0) << verified.error;
   EXPECT_THAT(verified.out, HasSubstr("holds: cover-wide.proof proves that no 1 regions"));
+  EXPECT_THAT(verified.out, HasSubstr("holds: random positions see no more than "
+                                      "visibility-wide.mtx says of their regions"));
 }
 
 TEST_F(Aperture, AWiderSlitIsNoGap) {
@@ -100,6 +102,8 @@ TEST_F(Aperture, VerifyFindsDamage) {
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.error, HasSubstr("not true that visibility-wide.mtx has nothing"));
   EXPECT_THAT(outcome.error, HasSubstr("regions of visibility-wide.mtx that see each element"));
+  EXPECT_THAT(outcome.error, HasSubstr("random positions see no more than visibility-wide.mtx"));
+  EXPECT_THAT(outcome.error, HasSubstr("region 2 sees element 4, which it does not say"));
 }
 
 TEST_F(Aperture, ARunWithoutItLeavesNoFilesOfAnother) {
