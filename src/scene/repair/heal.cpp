@@ -98,8 +98,7 @@ class FaceBender {
     }
     for (std::vector<std::uint32_t>& vertices : neighbours_) {
       std::ranges::sort(vertices);
-      const auto [first, last] = std::ranges::unique(vertices);
-      vertices.erase(first, last);
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     }
   }
 
