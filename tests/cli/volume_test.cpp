@@ -116,8 +116,12 @@ TEST_F(Volume, SameBytesForAnyThreadsAndRaysMissSome) {
 }
 
 TEST_F(Volume, FullCoverageFromBoxes) {
-  const Outcome solved = solve("bundle", {"--regions", "1", "--coverage", "full", "--close-gap",
-                                          "1", "--missed-share", "0.01"});
+  const std::string box =
+      room_.write("box.json", R"({"boxes": [{"min": [2, 2, 1.4], "max": [2.5, 2.5, 1.8]}]})");
+  const Outcome solved =
+      viewcover_run({"solve", room_.scene(), "--region", box, "--regions", "1", "--coverage",
+                     "full", "--close-gap", "0", "--missed-share", "0.02", "--element-area", "1",
+                     "-o", room_.bundle(), "--quiet"});
   ASSERT_EQ(solved.exit_code, 0) << solved.error;
   const Json line = Json::parse(last_line(solved.out));
   EXPECT_GE(line.at("viewpoints"), line.at("lower_bound"));
