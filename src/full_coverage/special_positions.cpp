@@ -30,7 +30,7 @@ SpecialPositions::SpecialPositions(const RegionViews& views) : views_(views) {
     const Box of_region = views.positions(i).region().bounds();
     boxes_.emplace_back(of_region.min() - margin, of_region.max() + margin);
   }
-  for (const ConvexPolygon& part : std::span(region.parts).first(region.polygon_count())) {
+  for (const ConvexPolygon& part : region.polygons()) {
     const Point up = area_vector(part).normalized();
     std::vector<Line>& lines = lines_.emplace_back();
     for (const Surface& surface : scene.surfaces) {
@@ -88,11 +88,11 @@ void SpecialPositions::add_at(const Point& point, std::vector<Viewpoint>& positi
 std::vector<Viewpoint> SpecialPositions::corners() const {
   std::vector<Viewpoint> positions;
   const ViewingRegion& region = views_.region();
-  for (const ConvexPolygon& part : std::span(region.parts).first(region.polygon_count())) {
+  for (const ConvexPolygon& part : region.polygons()) {
     for (const Point& corner : part) add_at(corner, positions);
   }
   for (const Box& box : region.boxes) {
-    for (int k = 0; k < 8; ++k) add_at(box.corner(static_cast<Box::CornerType>(k)), positions);
+    for (const Point& corner : box_corners(box)) add_at(corner, positions);
   }
   return positions;
 }

@@ -90,12 +90,10 @@ std::optional<ElementTarget> Witnesses::place_in(std::size_t column,
   const RegionPositions positions(subdivided(scene[element.owner()].polygon, element), box_,
                                   scene.lattice.exponent);
   const auto usable = [&](const Point& x) {
-    const ViewingRegion& region = views_.region();
     return is_well_inside(x, part) && !is_on_another_surface({column, x}) &&
-           std::ranges::none_of(std::span(region.parts).first(region.polygon_count()),
-                                [&](const ConvexPolygon& polygon) {
-                                  return orientation(polygon[0], polygon[1], polygon[2], x) == 0;
-                                });
+           std::ranges::none_of(views_.region().polygons(), [&](const ConvexPolygon& polygon) {
+             return orientation(polygon[0], polygon[1], polygon[2], x) == 0;
+           });
   };
   // Near the middle, but for what is there; else on the way to a corner.
   const Point middle = centroid(part);

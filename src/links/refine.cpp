@@ -38,26 +38,15 @@ struct RegionNode : PlanarPolygon {
   RegionAddress address;
   double area = 0;
   bool is_face = false;          ///< of a cell: looks to its front only
-  bool lies_on_surface = false;  ///< of a face: may do, to be precise
+  bool lies_on_surface = false;  ///< of a face: perhaps
 
-  bool looks_at(std::span<const Point> corners) const {
-    return !is_face ||
-           std::ranges::any_of(corners, [&](const Point& x) { return plane.side(x) > 0; });
-  }
-  /// Also true of whatever is seen behind, unless a surface is between.
-  bool looks_at_all_of(std::span<const Point> corners) const {
+  bool looks_at(std::span<const Point> corners) const { return !is_face || has_in_front(corners); }
+  /// Is what it sees wholly seen to its front, or without a surface that it may lie on between?
+  bool vouches_for(std::span<const Point> corners) const {
     return !lies_on_surface ||
            std::ranges::all_of(corners, [&](const Point& x) { return plane.side(x) >= 0; });
   }
 };
-
-std::array<Point, 8> corners_of(const Box& box) {
-  std::array<Point, 8> corners;
-  for (int k = 0; k < 8; ++k) {
-    corners[static_cast<std::size_t>(k)] = box.corner(static_cast<Box::CornerType>(k));
-  }
-  return corners;
-}
 
 /// Is a surface in the plane of the polygon, and near it there?
 bool may_lie_on_surface(const ConvexPolygon& polygon, const Plane& plane, const Scene& scene) {
@@ -245,7 +234,7 @@ class Refinement {
       report(pairs_of(node) * regions_.leaves(region), 0);
       return links;
     };
-    if (!region.looks_at(corners_of(node.box))) return all_hidden(Verdict::kHiddenNotFacing);
+    if (!region.looks_at(box_corners(node.box))) return all_hidden(Verdict::kHiddenNotFacing);
     const Shaft shaft(occluders_, region, node.box);
     ShaftOccluders kept;
     if (cull(shaft, candidates, kOccludersPerCluster, kept)) {
@@ -334,7 +323,7 @@ class Refinement {
     }
     // Full visibility holds for all parts, unless some of the region is behind the element.
     const bool holds_for_parts = verdict == Verdict::kFullyVisible && shaft.is_wholly_facing() &&
-                                 region.looks_at_all_of(element.polygon);
+                                 region.vouches_for(element.polygon);
     if (!finest && !holds_for_parts) return false;
     SmallList<OccluderId, 96> list;
     for (const ShaftOccluder& occluder : kept) {

@@ -24,9 +24,7 @@ Shaft::Shaft(const OccluderSet& occluders, RegionAddress region_address,
 
 Shaft::Shaft(const OccluderSet& occluders, const PlanarPolygon& region, const Box& box)
     : occluders_(&occluders), region_(&region), box_(bounding_box(region.polygon).merged(box)) {
-  for (int corner = 0; corner < 8; ++corner) {
-    far_.push_back(box.corner(static_cast<Box::CornerType>(corner)));
-  }
+  for (const Point& corner : box_corners(box)) far_.push_back(corner);
   add_support_planes(region, far_);
 }
 

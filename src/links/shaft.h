@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "links/occluder_set.h"
@@ -14,6 +15,10 @@ namespace viewcover {
 struct PlanarPolygon {
   ConvexPolygon polygon;
   Plane plane;
+
+  bool has_in_front(std::span<const Point> points) const {
+    return std::ranges::any_of(points, [&](const Point& x) { return plane.side(x) > 0; });
+  }
 };
 
 /// The convex hull of a viewing region and an element, or of a region and a cluster's box, bounded

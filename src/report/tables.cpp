@@ -43,11 +43,8 @@ std::size_t most_corners(const std::vector<Polygon>& polygons) {
 /// Of a polygon as they come; those of a box as tables.h says.
 std::vector<Point> corners_of(const RegionShape& shape) {
   if (!shape.is_box()) return {shape.polygon().begin(), shape.polygon().end()};
-  std::vector<Point> corners;
-  for (int k = 0; k < 8; ++k) {
-    corners.push_back(shape.box().corner(static_cast<Box::CornerType>(k)));
-  }
-  return corners;
+  const std::array<Point, 8> corners = box_corners(shape.box());
+  return {corners.begin(), corners.end()};
 }
 
 template <class Owner>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "optim/cover_file.h"
 #include "report/audit_files.h"
@@ -76,11 +77,10 @@ class WitnessChecker {
   /// it sees no region edge-on.
   std::string crossed() const {
     const CsvTable table(folder_ / "regions.csv");
-    std::vector<ConvexPolygon> regions;
+    std::vector<std::pair<std::size_t, ConvexPolygon>> polygons;  // no box is seen edge-on
     for (std::size_t row = 0; row < table.size(); ++row) {
       const std::optional<RegionShape> shape = region_in(table, row);
-      // A box is seen edge-on from nowhere; a region that is none is another check's to refuse.
-      regions.push_back(shape && !shape->is_box() ? shape->polygon() : ConvexPolygon());
+      if (shape && !shape->is_box()) polygons.emplace_back(row + 1, shape->polygon());
     }
     const auto contains = [&](const Point& x, std::size_t surface) {
       const ConvexPolygon& polygon = bundle_.scene.surfaces[surface].polygon;
@@ -95,10 +95,9 @@ class WitnessChecker {
         wrong[i] = fmt::format("witness {} lies on surface {} too", i + 1, s + 1);
         return;
       }
-      for (std::size_t r = 0; r < regions.size(); ++r) {
-        if (regions[r].empty()) continue;
-        if (orientation(regions[r][0], regions[r][1], regions[r][2], place) != 0) continue;
-        wrong[i] = fmt::format("witness {} lies in the plane of region {}", i + 1, r + 1);
+      for (const auto& [number, region] : polygons) {
+        if (orientation(region[0], region[1], region[2], place) != 0) continue;
+        wrong[i] = fmt::format("witness {} lies in the plane of region {}", i + 1, number);
         return;
       }
     });

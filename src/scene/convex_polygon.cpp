@@ -100,6 +100,14 @@ Box bounding_box(std::span<const Point> points) {
   return box;
 }
 
+std::array<Point, 8> box_corners(const Box& box) {
+  std::array<Point, 8> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners[static_cast<std::size_t>(k)] = box.corner(static_cast<Box::CornerType>(k));
+  }
+  return corners;
+}
+
 int projection_axis(std::span<const Point> loop) {
   int axis = 0;
   area_vector(loop).cwiseAbs().maxCoeff(&axis);

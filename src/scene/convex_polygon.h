@@ -23,6 +23,8 @@ Point corner_mean(std::span<const Point> loop);
 /// Centre of mass of a convex polygon, rounded.
 Point centroid(std::span<const Point> polygon);
 Box bounding_box(std::span<const Point> points);
+/// Number k with the greater x, y and z where bits 0, 1 and 2 of k are set.
+std::array<Point, 8> box_corners(const Box& box);
 
 /// The axis (0, 1, 2) along which the polygon's normal is largest; projecting along it keeps
 /// lattice coordinates and never makes the polygon degenerate.

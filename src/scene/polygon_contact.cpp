@@ -74,10 +74,6 @@ bool are_apart(const Sides& polygon, const Sides& box) {
          !(polygon.front && polygon.back) && !(box.front && box.back);
 }
 
-Point corner_of(const Box& box, int number) {
-  return box.corner(static_cast<Box::CornerType>(number));
-}
-
 /// By the plane through an edge of the polygon and parallel to an axis.
 bool edge_keeps_apart(std::span<const Point> polygon, std::size_t edge, const Box& box, int axis) {
   const Point &a = polygon[edge], &b = polygon[(edge + 1) % polygon.size()];
@@ -85,7 +81,7 @@ bool edge_keeps_apart(std::span<const Point> polygon, std::size_t edge, const Bo
   if (a[u] == b[u] && a[v] == b[v]) return false;  // there is no such plane
   Sides of_polygon, of_box;
   for (const Point& corner : polygon) of_polygon.add(turn(a, b, corner, axis));
-  for (int k = 0; k < 8; ++k) of_box.add(turn(a, b, corner_of(box, k), axis));
+  for (const Point& corner : box_corners(box)) of_box.add(turn(a, b, corner, axis));
   return are_apart(of_polygon, of_box);
 }
 
@@ -119,8 +115,8 @@ bool enters_box(std::span<const Point> polygon, const Box& box) {
     return false;
   }
   Sides of_box;
-  for (int k = 0; k < 8; ++k) {
-    of_box.add(orientation(polygon[0], polygon[1], polygon[2], corner_of(box, k)));
+  for (const Point& corner : box_corners(box)) {
+    of_box.add(orientation(polygon[0], polygon[1], polygon[2], corner));
   }
   if (!(of_box.front && of_box.back)) return false;
   for (std::size_t edge = 0; edge < polygon.size(); ++edge) {

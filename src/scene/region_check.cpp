@@ -113,9 +113,8 @@ class RegionChecker {
     if (!bounding_box(part).intersects(bounds_)) return true;
     int sides = 0;
     std::array<bool, 3> seen = {};
-    for (int corner = 0; corner < 8; ++corner) {
-      const Point p = bounds_.corner(static_cast<Box::CornerType>(corner));
-      seen[static_cast<std::size_t>(orientation(part[0], part[1], part[2], p) + 1)] = true;
+    for (const Point& corner : box_corners(bounds_)) {
+      seen[static_cast<std::size_t>(orientation(part[0], part[1], part[2], corner) + 1)] = true;
     }
     for (const bool side : seen) sides += side;
     return sides == 1 && !seen[1];

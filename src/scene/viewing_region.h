@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "scene/address.h"
@@ -29,6 +30,7 @@ struct ViewingRegion {
 
   std::size_t face_count() const { return kFacesOfCell * boxes.size() * regions_per_part(); }
   std::size_t polygon_count() const { return parts.size() - face_count(); }
+  std::span<const ConvexPolygon> polygons() const { return {parts.data(), polygon_count()}; }
   std::size_t regions_per_part() const { return std::size_t{1} << (2 * level); }
   std::size_t region_count() const { return (polygon_count() + boxes.size()) * regions_per_part(); }
 

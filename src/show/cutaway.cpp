@@ -23,14 +23,6 @@ int common_side(const Points& points, const Point& normal, double offset, double
   return 0;
 }
 
-std::array<Point, 8> corners(const Box& box) {
-  std::array<Point, 8> all;
-  for (int i = 0; i < 8; ++i) {
-    all[static_cast<std::size_t>(i)] = box.corner(static_cast<Box::CornerType>(i));
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<CutPlane> cut_planes(const Scene& scene, std::span<const ConvexPolygon> regions) {
@@ -38,7 +30,7 @@ std::vector<CutPlane> cut_planes(const Scene& scene, std::span<const ConvexPolyg
   for (const ConvexPolygon& region : regions) {
     region_corners.insert(region_corners.end(), region.begin(), region.end());
   }
-  const std::array<Point, 8> scene_corners = corners(scene.bounds);
+  const std::array<Point, 8> scene_corners = box_corners(scene.bounds);
   const double tolerance = kTolerance * scene.bounds.diagonal().norm();
   std::vector<CutPlane> planes(scene.surfaces.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {

@@ -9,15 +9,6 @@
 #include "viewpoints/column_bits.h"
 
 namespace viewcover {
-namespace {
-
-/// A face of a cell looks through it only, to the front (papers/volumes.md).
-bool is_in_front(const PlanarPolygon& face, std::span<const Point> points) {
-  return std::ranges::any_of(points, [&](const Point& x) { return face.plane.side(x) > 0; });
-}
-
-}  // namespace
-
 RegionViews::RegionViews(const ViewedScene& viewed)
     : viewed_(viewed),
       occluders_(viewed.scene, viewed.clusters, viewed.region),
@@ -198,10 +189,11 @@ std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
   const RegionAddress address = viewed_.region.address(region);
   const auto occluders = shaft_occluders(region, column);
   const bool is_box = viewed_.region.is_in_box(address);
-  for (const PlanarPolygon& face : faces_of(address, positions_[region].region())) {
+  for (const PlanarPolygon& face :
+       faces_toward(elements_[column].polygon, address, positions_[region].region())) {
     Shaft shaft(occluders_, address, face, viewed_.matrix.elements[column], elements_[column],
                 viewed_.one_sided);
-    if (!shaft.is_facing() || (is_box && !is_in_front(face, elements_[column].polygon))) continue;
+    if (!shaft.is_facing()) continue;
     ShaftOccluders kept(occluders.begin(), occluders.end());
     if (is_box && cull(shaft, occluders, kOpenAll, kept)) continue;
     shaft.set_occluders(kept);
@@ -210,22 +202,25 @@ std::optional<SightLine> RegionViews::find_sight_line(std::size_t region,
   return std::nullopt;
 }
 
-std::vector<PlanarPolygon> RegionViews::faces_of(RegionAddress address,
-                                                 const RegionShape& shape) const {
+std::vector<PlanarPolygon> RegionViews::faces_toward(std::span<const Point> points,
+                                                     RegionAddress address,
+                                                     const RegionShape& shape) const {
+  if (!shape.is_box()) {
+    return {{shape.polygon(), Plane(viewed_.region.parts[address.owner().value])}};
+  }
   std::vector<PlanarPolygon> faces;
-  for (ConvexPolygon& face : shape.faces()) {
-    const Plane plane =
-        shape.is_box() ? Plane(face) : Plane(viewed_.region.parts[address.owner().value]);
-    faces.push_back({std::move(face), plane});
+  for (ConvexPolygon& polygon : shape.faces()) {
+    PlanarPolygon face{std::move(polygon), {}};
+    face.plane = Plane(face.polygon);
+    if (face.has_in_front(points)) faces.push_back(std::move(face));
   }
   return faces;
 }
 
 bool RegionViews::cell_sees(const RegionCell& cell, std::size_t column) const {
-  return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
-    return (!cell.shape.is_box() || is_in_front(face, elements_[column].polygon)) &&
-           face_sees(cell, face, column);
-  });
+  return std::ranges::any_of(
+      faces_toward(elements_[column].polygon, cell.address, cell.shape),
+      [&](const PlanarPolygon& face) { return face_sees(cell, face, column); });
 }
 
 bool RegionViews::face_sees(const RegionCell& cell, const PlanarPolygon& face,
@@ -241,10 +236,9 @@ bool RegionViews::face_sees(const RegionCell& cell, const PlanarPolygon& face,
 }
 
 bool RegionViews::cell_sees_place(const RegionCell& cell, const ElementTarget& target) const {
-  return std::ranges::any_of(faces_of(cell.address, cell.shape), [&](const PlanarPolygon& face) {
-    return (!cell.shape.is_box() || face.plane.side(target.place) > 0) &&
-           face_sees_place(cell, face, target);
-  });
+  return std::ranges::any_of(
+      faces_toward({&target.place, 1}, cell.address, cell.shape),
+      [&](const PlanarPolygon& face) { return face_sees_place(cell, face, target); });
 }
 
 bool RegionViews::face_sees_place(const RegionCell& cell, const PlanarPolygon& face,

@@ -113,7 +113,10 @@ class RegionViews : public CellViews {
   void add_boxes();
   /// The occluders of its columns, in the places that its view names.
   std::vector<OccluderId> add_box(std::size_t region);
-  std::vector<PlanarPolygon> faces_of(RegionAddress address, const RegionShape& shape) const;
+  /// A polygon, or the faces of a box that look at some of the points: through it only, to their
+  /// front (papers/volumes.md).
+  std::vector<PlanarPolygon> faces_toward(std::span<const Point> points, RegionAddress address,
+                                          const RegionShape& shape) const;
   bool face_sees(const RegionCell& cell, const PlanarPolygon& face, std::size_t column) const;
   bool face_sees_place(const RegionCell& cell, const PlanarPolygon& face,
                        const ElementTarget& target) const;

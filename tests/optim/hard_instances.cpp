@@ -166,7 +166,8 @@ HardInstance camera_placement(const CameraRoom& room) {
       }
     }
   });
-  return {"cameras to " + std::to_string(room.range).substr(0, 3), std::move(matrix), 1, false};
+  return {"cameras to " + std::to_string(room.range).substr(0, 3), std::move(matrix), room.best,
+          room.proved};
 }
 
 std::vector<HardInstance> hard_instances() {
@@ -191,9 +192,10 @@ std::vector<HardInstance> camera_instances() {
   std::vector<HardInstance> instances;
   const std::array<double, 3> steep = {-22.5, -45, -67.5}, flat = {-15, -45, -75},
                               level = {0, -45, -90}, down = {-30, -45, -60};
-  for (const CameraRoom& room : {CameraRoom{4, steep, 60, 45, 8}, CameraRoom{4, level, 65, 48, 9.9},
-                                 CameraRoom{4, flat, 60, 45, 9}, CameraRoom{4.5, down, 65, 48, 7},
-                                 CameraRoom{4.5, down, 65, 48, 5.5}}) {
+  for (const CameraRoom& room :
+       {CameraRoom{4, steep, 60, 45, 8, 8, true}, CameraRoom{4, level, 65, 48, 9.9, 8, true},
+        CameraRoom{4, flat, 60, 45, 9, 8, true}, CameraRoom{4.5, down, 65, 48, 7, 15, true},
+        CameraRoom{4.5, down, 65, 48, 5.5, 23, false}}) {
     instances.push_back(camera_placement(room));
   }
   return instances;

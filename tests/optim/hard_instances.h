@@ -52,9 +52,11 @@ struct CameraRoom {
   std::array<double, 3> tilts = {};       ///< degrees, negative: down
   double horizontal = 60, vertical = 45;  ///< whole angles of view, degrees
   double range = 8;
+  std::size_t best = 0;  ///< cameras of the smallest placement known
+  bool proved = false;   ///< no smaller one exists
 };
 
-/// Rows: cameras, 2,904; columns: places, 605. No optimum is known.
+/// Rows: cameras, 2,904; columns: places, 605.
 HardInstance camera_placement(const CameraRoom& room);
 
 /// The ones that methods are measured with.
@@ -64,7 +66,8 @@ std::vector<HardInstance> hard_instances();
 /// the Steiner triple systems.
 std::vector<HardInstance> library_instances();
 
-/// Camera placements of the size and density of that competition's first and tenth instance.
+/// Camera placements of the size and density of that competition's first and tenth instance; the
+/// best covers are our own (bench/optim.txt).
 std::vector<HardInstance> camera_instances();
 
 }  // namespace viewcover::reference

@@ -22,10 +22,10 @@
 
 #include "scene/address.h"
 #include "scene/error.h"
+#include "scene/read/apart.h"
 #include "scene/read/asset_check.h"
 #include "scene/read/group_names.h"
 #include "scene/read/soup_text.h"
-#include "scene/repair/apart.h"
 
 namespace viewcover {
 namespace {

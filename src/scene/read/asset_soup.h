@@ -19,7 +19,7 @@ namespace viewcover {
 /// assimp has single precision: coordinates in a mesh and transforms are those of the file rounded
 /// to 24 bits. Transforms are combined in double.
 /// Opens no other file than the buffers of a .gltf (scene/read/asset_check.h). assimp crashes on
-/// damaged files; it runs in a process of its own (scene/repair/apart.h), so that they are refused
+/// damaged files; it runs in a process of its own (scene/read/apart.h), so that they are refused
 /// like others. Errors: InputError. Requires one of the three suffixes.
 PolygonSoup parse_asset(std::string_view content, const std::filesystem::path& file);
 

@@ -132,6 +132,20 @@ bool is_on_patch(const std::vector<NarrowGap>& gaps, const Point& p, double step
   });
 }
 
+/// Calls visit(p, other) for 16 places p on each edge of each triangle and all other triangles.
+template <class Visit>
+void for_each_place_on_edges(const Scene& scene, const Visit& visit) {
+  for (const Surface& surface : scene.surfaces) {
+    for (const Surface& other : scene.surfaces) {
+      if (&other == &surface) continue;
+      for (std::size_t i = 0; i < 3 * 16; ++i) {
+        const Point &a = surface.polygon[i / 16], &b = surface.polygon[(i / 16 + 1) % 3];
+        visit(Point(a + (static_cast<double>(i % 16) + 0.5) / 16 * (b - a)), other.polygon);
+      }
+    }
+  }
+}
+
 // The definition, point by point: the middle of every short connection is on a patch.
 TEST(NarrowGaps, FromEdgesToTheInsideOfSurfaces) {
   std::mt19937_64 random(1);
@@ -140,21 +154,14 @@ TEST(NarrowGaps, FromEdgesToTheInsideOfSurfaces) {
     const Scene scene = scene_of(testing::random_triangles(12, 0.3, 0, 1, random));
     const double width = 0.1, step = scene.lattice.step();
     const std::vector<NarrowGap> gaps = find_narrow_gaps(scene, width);
-    for (const Surface& surface : scene.surfaces) {
-      for (const Surface& other : scene.surfaces) {
-        if (&other == &surface) continue;
-        const Point normal = area_vector(other.polygon).normalized();
-        for (std::size_t i = 0; i < 3 * 16; ++i) {
-          const Point &a = surface.polygon[i / 16], &b = surface.polygon[(i / 16 + 1) % 3];
-          const Point p = a + (static_cast<double>(i % 16) + 0.5) / 16 * (b - a);
-          const double height = normal.dot(p - other.polygon[0]);
-          if (std::fabs(height) >= width || std::fabs(height) < 16 * step) continue;
-          if (!is_inside(other.polygon, p - height * normal, 0)) continue;
-          ++connections;
-          EXPECT_TRUE(is_on_patch(gaps, p - height / 2 * normal, step)) << p.transpose();
-        }
-      }
-    }
+    for_each_place_on_edges(scene, [&](const Point& p, const ConvexPolygon& other) {
+      const Point normal = area_vector(other).normalized();
+      const double height = normal.dot(p - other[0]);
+      if (std::fabs(height) >= width || std::fabs(height) < 16 * step) return;
+      if (!is_inside(other, p - height * normal, 0)) return;
+      ++connections;
+      EXPECT_TRUE(is_on_patch(gaps, p - height / 2 * normal, step)) << p.transpose();
+    });
   }
   EXPECT_GT(connections, 200u);
 }
@@ -167,25 +174,20 @@ TEST(NarrowGaps, FromEdgesToEdges) {
     const Scene scene = scene_of(testing::random_triangles(8, 0.2, 0, 0, random));
     const double width = 0.1, step = scene.lattice.step();
     const std::vector<NarrowGap> gaps = find_narrow_gaps(scene, width);
-    for (const Surface& surface : scene.surfaces) {
-      for (const Surface& other : scene.surfaces) {
-        if (&other == &surface) continue;
-        for (std::size_t i = 0; i < 9 * 16; ++i) {
-          const Point &a = surface.polygon[i / 48], &b = surface.polygon[(i / 48 + 1) % 3],
-                      &c = other.polygon[i / 16 % 3], &d = other.polygon[(i / 16 + 1) % 3];
-          const Point p = a + (static_cast<double>(i % 16) + 0.5) / 16 * (b - a);
-          const double along = std::clamp((d - c).dot(p - c) / (d - c).squaredNorm(), 0.0, 1.0);
-          const Point q = c + along * (d - c), middle = (p + q) / 2;
-          if ((p - q).norm() >= width || (p - q).norm() < 16 * step) continue;
-          const bool is_covered = std::ranges::any_of(scene.surfaces, [&](const Surface& any) {
-            return is_inside(any.polygon, middle, 1e-3);
-          });
-          if (is_covered) continue;
-          ++connections;
-          EXPECT_TRUE(is_on_patch(gaps, middle, step)) << p.transpose();
-        }
+    for_each_place_on_edges(scene, [&](const Point& p, const ConvexPolygon& other) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point &c = other[k], &d = other[(k + 1) % 3];
+        const double along = std::clamp((d - c).dot(p - c) / (d - c).squaredNorm(), 0.0, 1.0);
+        const Point q = c + along * (d - c), middle = (p + q) / 2;
+        if ((p - q).norm() >= width || (p - q).norm() < 16 * step) continue;
+        const bool is_covered = std::ranges::any_of(scene.surfaces, [&](const Surface& any) {
+          return is_inside(any.polygon, middle, 1e-3);
+        });
+        if (is_covered) continue;
+        ++connections;
+        EXPECT_TRUE(is_on_patch(gaps, middle, step)) << p.transpose();
       }
-    }
+    });
   }
   EXPECT_GT(connections, 200u);
 }

@@ -1,4 +1,4 @@
-#include "scene/repair/apart.h"
+#include "scene/read/apart.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
